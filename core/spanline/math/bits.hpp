@@ -1,0 +1,66 @@
+#pragma once
+#include <array>
+#include <bit>
+#include <cstdint>
+
+namespace spanline {
+
+namespace detail {
+/// Leading zeros of a byte, for cores without CLZ (ARMv6-M): index 0 counts as 1 and is never asked for.
+inline constexpr std::array<std::uint8_t, 256> leading_zeros_of_byte = [] {
+  std::array<std::uint8_t, 256> table{};
+  for (unsigned i = 0; i < 256; ++i)
+    table[i] = static_cast<std::uint8_t>(std::countl_zero(static_cast<std::uint8_t>(i | (i == 0))));
+  return table;
+}();
+}  // namespace detail
+
+/// Leading zeros of `value`, a 16-bit number in [1, 65535], counted within 16 bits: 0 … 15.
+[[nodiscard]] constexpr int leading_zeros_16(std::uint32_t value) {
+#if defined(__ARM_ARCH_6M__)
+  return value >= 256 ? detail::leading_zeros_of_byte[value >> 8] : 8 + detail::leading_zeros_of_byte[value];
+#else
+  return std::countl_zero(value) - 16;
+#endif
+}
+
+/// Leading zeros of `value` in [1, 2^32 − 1]: 0 … 31.
+[[nodiscard]] constexpr int leading_zeros_32(std::uint32_t value) {
+#if defined(__ARM_ARCH_6M__)
+  return value >= 65536 ? leading_zeros_16(value >> 16) : 16 + leading_zeros_16(value);
+#else
+  return std::countl_zero(value);
+#endif
+}
+
+/// Leading zeros of `value` in [1, 2^64 − 1]: 0 … 63.
+[[nodiscard]] constexpr int leading_zeros_64(std::uint64_t value) {
+  const auto high = static_cast<std::uint32_t>(value >> 32);
+  return high != 0 ? leading_zeros_32(high) : 32 + leading_zeros_32(static_cast<std::uint32_t>(value));
+}
+
+/// The high word of the 64-bit product a·b. One instruction where the core has a long multiply; four 16-bit products
+/// on ARMv6-M, which has none.
+[[nodiscard]] constexpr std::uint32_t multiply_high(std::uint32_t a, std::uint32_t b) {
+#if defined(__ARM_ARCH_6M__)
+  const std::uint32_t a_low = a & 0xffff, a_high = a >> 16, b_low = b & 0xffff, b_high = b >> 16;
+  const std::uint32_t low = a_low * b_low;
+  const std::uint32_t middle = a_high * b_low + (low >> 16);
+  const std::uint32_t cross = a_low * b_high + (middle & 0xffff);
+  return a_high * b_high + (middle >> 16) + (cross >> 16);
+#else
+  return static_cast<std::uint32_t>((static_cast<std::uint64_t>(a) * b) >> 32);
+#endif
+}
+
+/// |value| as an unsigned number; right for the most negative value too.
+[[nodiscard]] constexpr std::uint32_t magnitude(std::int32_t value) {
+  return value < 0 ? 0u - static_cast<std::uint32_t>(value) : static_cast<std::uint32_t>(value);
+}
+
+/// Arithmetic modulo 2^32 on words that are read as signed or unsigned as it suits: the renderer's linear functions
+/// of (x, y) may pass through any value outside the polygon, and must come back exactly.
+[[nodiscard]] constexpr std::uint32_t word(std::int32_t value) { return static_cast<std::uint32_t>(value); }
+[[nodiscard]] constexpr std::int32_t signed_word(std::uint32_t value) { return static_cast<std::int32_t>(value); }
+
+}  // namespace spanline

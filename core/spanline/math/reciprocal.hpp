@@ -1,0 +1,61 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "spanline/math/bits.hpp"
+
+namespace spanline {
+
+namespace detail {
+/// 2^31 / d at the middle of each of 128 intervals of d in [2^15, 2^16).
+inline constexpr std::array<std::uint16_t, 128> reciprocal_seed = [] {
+  std::array<std::uint16_t, 128> table{};
+  for (std::uint32_t i = 0; i < 128; ++i) {
+    const std::uint32_t middle = (128 + i) * 256 + 128;
+    const std::uint32_t value = (0x80000000u + middle / 2) / middle;
+    table[i] = static_cast<std::uint16_t>(value > 65535 ? 65535 : value);
+  }
+  return table;
+}();
+}  // namespace detail
+
+/// ≈ 2^31 / divisor for a normalised divisor in [2^15, 2^16): a table of 128 and one Newton step.
+/// The result is in [32767, 65536); its error is at most 2 units (tested over every divisor).
+[[nodiscard]] constexpr std::uint32_t reciprocal_16(std::uint32_t divisor) {
+  const std::uint32_t seed = detail::reciprocal_seed[(divisor >> 8) - 128];
+  const std::int32_t error = signed_word(0x80000000u - divisor * seed);
+  return seed + word(((error >> 8) * signed_word(seed)) >> 23);
+}
+
+/// ≈ 2^62 / divisor for a normalised divisor in [2^31, 2^32): a 16-bit reciprocal, then a Newton step to 32 bits.
+/// The result is in [2^30, 2^31]; relative error at most 2^-27 (tested).
+[[nodiscard]] constexpr std::uint32_t reciprocal_32(std::uint32_t divisor) {
+  const std::uint32_t seed = reciprocal_16(divisor >> 16) << 15;                       // 2^62 / divisor, 15 good bits
+  const std::int32_t error = signed_word(0x40000000u - multiply_high(divisor, seed));  // 2^30 (1 − divisor·seed / 2^62)
+  // seed + seed·error / 2^30; |error| < 2^17, so a product of shortened factors has all the bits that matter.
+  return seed + word((signed_word(seed >> 16) * (error >> 1)) >> 13);
+}
+
+/// dividend / divisor, exact, for dividend < 2^31 and divisor in [1, 65535]. Cores without a divide use the
+/// reciprocal and correct its last unit.
+[[nodiscard]] constexpr std::uint32_t divide_16(std::uint32_t dividend, std::uint32_t divisor) {
+#if defined(__ARM_ARCH_6M__)
+  const int shift = leading_zeros_16(divisor);
+  const std::uint32_t inverse = reciprocal_16(divisor << shift);
+  std::uint32_t quotient = ((dividend >> 16) * inverse + (((dividend & 0xffff) * inverse) >> 16)) >> (15 - shift);
+  std::int32_t remainder = signed_word(dividend - quotient * divisor);
+  while (remainder < 0) {
+    remainder += signed_word(divisor);
+    --quotient;
+  }
+  while (remainder >= signed_word(divisor)) {
+    remainder -= signed_word(divisor);
+    ++quotient;
+  }
+  return quotient;
+#else
+  return dividend / divisor;
+#endif
+}
+
+}  // namespace spanline

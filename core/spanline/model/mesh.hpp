@@ -1,0 +1,80 @@
+#pragma once
+#include <cstdint>
+#include <span>
+
+#include "spanline/math/vector.hpp"
+#include "spanline/model/colour.hpp"
+
+namespace spanline {
+
+/// A model vertex in steps of the mesh: the world position is (vertex + offset) · 2^step_exponent.
+/// Sixteen bits a coordinate halve the flash, and their products fit the 32-bit multiplier of a Cortex-M0+.
+struct Vertex16 {
+  std::int16_t x, y, z;
+};
+
+/// The wide form, for scenes that 65,536 steps cannot span; |coordinate| ≤ 2^30.
+struct Vertex32 {
+  std::int32_t x, y, z;
+};
+
+/// A unit normal in 32 bits: x, y, z as 10-bit signed numbers with 9 fraction bits (511 stands for 1), at bits 31…22,
+/// 21…12 and 11…2. Each component comes out by one or two shifts.
+class PackedNormal {
+ public:
+  constexpr PackedNormal() = default;
+  /// Components in [−511, 511].
+  constexpr PackedNormal(int x, int y, int z)
+      : bits_((static_cast<std::uint32_t>(x & 1023) << 22) | (static_cast<std::uint32_t>(y & 1023) << 12) |
+              (static_cast<std::uint32_t>(z & 1023) << 2)) {}
+  [[nodiscard]] constexpr std::int32_t x() const { return static_cast<std::int32_t>(bits_) >> 22; }
+  [[nodiscard]] constexpr std::int32_t y() const { return static_cast<std::int32_t>(bits_ << 10) >> 22; }
+  [[nodiscard]] constexpr std::int32_t z() const { return static_cast<std::int32_t>(bits_ << 20) >> 22; }
+  friend constexpr bool operator==(PackedNormal, PackedNormal) = default;
+
+ private:
+  std::uint32_t bits_ = 0;
+};
+
+/// A sphere around every vertex, in steps of the mesh and without its offset, as the vertices themselves.
+struct BoundingSphere {
+  Vec3<std::int32_t> centre{};
+  std::uint32_t radius = 0;  ///< steps, rounded up; at most 2^31 − 1
+};
+
+/// A mesh as views over read-only tables, in flash as a rule. It owns nothing; `validate()` checks it once at load.
+///
+/// Polygons are triangles, or planar convex polygons of 3 … 8 corners, counter-clockwise when seen from the front.
+/// A polygon of n corners is drawn as the fan of triangles (0,1,2), (0,2,3) …, which are numbered in that order.
+struct Mesh {
+  static constexpr unsigned max_corners = 8;
+  static constexpr std::size_t max_vertices = 65535;
+  static constexpr std::size_t max_polygons = 32767;
+
+  std::span<const Vertex16> vertices;       ///< the vertices, or empty if `wide_vertices` holds them
+  std::span<const Vertex32> wide_vertices;  ///< the vertices in their wide form, or empty
+  std::span<const std::uint16_t> indices;   ///< corner indices, polygon after polygon
+  std::span<const std::uint8_t> corners;    ///< corners of each polygon; empty: all are triangles
+
+  std::span<const PackedNormal> polygon_normals;  ///< one a polygon, for flat light; empty: fully lit
+  std::span<const PackedNormal> vertex_normals;   ///< one a vertex, for Gouraud light; empty: fully lit
+  std::span<const Rgb888> polygon_colours;        ///< one a polygon; empty: the material's colour
+  std::span<const Rgb888> vertex_colours;         ///< one a vertex; empty: the material's colour
+
+  Vec3<std::int32_t> offset{};      ///< steps, added to every vertex; |component| ≤ 2^30
+  std::int8_t step_exponent = -13;  ///< world units a step are 2^step_exponent; [−30, 14]
+  BoundingSphere bounds{};
+
+  [[nodiscard]] constexpr std::size_t vertex_count() const {
+    return vertices.empty() ? wide_vertices.size() : vertices.size();
+  }
+  [[nodiscard]] constexpr std::size_t polygon_count() const {
+    return corners.empty() ? indices.size() / 3 : corners.size();
+  }
+  /// Triangles of all fans: the numbers that polygon ids count.
+  [[nodiscard]] constexpr std::size_t triangle_count() const {
+    return corners.empty() ? indices.size() / 3 : indices.size() - 2 * corners.size();
+  }
+};
+
+}  // namespace spanline
