@@ -1,0 +1,31 @@
+#pragma once
+#include <concepts>
+#include <cstdint>
+#include <span>
+
+#include "spanline/hal/status.hpp"
+
+namespace spanline::hal {
+
+/// A display bus: SPI with a data/command line, chip select and reset line, in the hands of a board or of a host model.
+///
+/// - `command(bytes)`: sends bytes[0] with D/C low and the rest, its arguments, with D/C high (MIPI DCS). A panel that
+///   takes arguments as commands (SSD0323) sends each byte in a call of its own. Called only while not busy; when it
+///   returns the bytes have left, so `bytes` may lie on the stack, and the bus is not busy. `bus_timeout` if the
+///   hardware does not take them: the bus bounds its own polling.
+/// - `pixels(bytes)`: starts a transfer with D/C high and may return before the bytes have left. From here on the
+///   buffer belongs to the bus, until busy() has returned false. Called only while not busy.
+/// - `busy()`: whether bytes of the last pixels() call are still to leave. Never blocks.
+/// - `reset(held)`: true pulls the panel's reset line low and abandons a transfer in flight, false lets the line go. A
+///   board without that line only abandons the transfer. If busy() stays true afterwards, the bus is stuck.
+/// - `clock_hz()`: the serial clock that the divider really gave, in hertz, for the panel's clock rating.
+template <typename B>
+concept Bus = requires(B& bus, std::span<const std::uint8_t> bytes, bool held) {
+  { bus.command(bytes) } -> std::same_as<Status>;
+  { bus.pixels(bytes) } -> std::same_as<Status>;
+  { bus.busy() } -> std::same_as<bool>;
+  { bus.reset(held) } -> std::same_as<void>;
+  { bus.clock_hz() } -> std::same_as<std::uint32_t>;
+};
+
+}  // namespace spanline::hal

@@ -1,0 +1,30 @@
+#pragma once
+#include <concepts>
+#include <cstdint>
+
+namespace spanline::hal {
+
+/// A clock of a board or of a simulation.
+///
+/// - `now_us()`: microseconds since some start, wrapping at 2^32 (after 71.6 minutes). Only differences mean anything;
+///   taken modulo 2^32 they are right for spans below that.
+/// - `delay_us(us)`: returns no sooner than `us` microseconds from now.
+template <typename C>
+concept Clock = requires(C& clock, std::uint32_t us) {
+  { clock.now_us() } -> std::same_as<std::uint32_t>;
+  { clock.delay_us(us) } -> std::same_as<void>;
+};
+
+/// A free-running counter of processor cycles or instructions, wrapping at 2^32; benchmarks take differences.
+template <typename C>
+concept CycleCounter = requires(C& counter) {
+  { counter.cycles() } -> std::same_as<std::uint32_t>;
+};
+
+/// Waits for `ms` milliseconds, at most 4,294,967.
+template <Clock C>
+void delay_ms(C& clock, std::uint32_t ms) {
+  clock.delay_us(ms * 1000U);
+}
+
+}  // namespace spanline::hal

@@ -1,0 +1,25 @@
+#pragma once
+#include <cstdint>
+
+namespace spanline::hal {
+
+/// How a bus clock stands to a panel's rating.
+enum class ClockVerdict : std::uint8_t {
+  rated,         ///< within the datasheet
+  above_rating,  ///< outside the datasheet, and known to work on common modules
+  too_high,      ///< refused
+};
+
+/// The highest serial write clocks of a panel, in hertz; rated_hz <= tolerated_hz. A board that knows its clock at
+/// compile time can check it there: `static_assert(Panel::clock_rating.verdict(hz) != ClockVerdict::too_high)`.
+struct ClockRating {
+  std::uint32_t rated_hz;      ///< the datasheet's highest write clock
+  std::uint32_t tolerated_hz;  ///< the highest clock that a driver accepts
+
+  [[nodiscard]] constexpr ClockVerdict verdict(std::uint32_t clock_hz) const {
+    if (clock_hz <= rated_hz) return ClockVerdict::rated;
+    return clock_hz <= tolerated_hz ? ClockVerdict::above_rating : ClockVerdict::too_high;
+  }
+};
+
+}  // namespace spanline::hal

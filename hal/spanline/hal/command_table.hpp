@@ -1,0 +1,41 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "spanline/hal/status.hpp"
+
+namespace spanline::hal {
+
+/// One step of an init table: a command byte with its arguments, then a pause.
+struct CommandStep {
+  std::span<const std::uint8_t> bytes;  ///< command byte, then its arguments
+  std::uint32_t delay_ms;               ///< pause after the command, milliseconds
+};
+
+/// An init table is a row of bytes in flash, a record a command: the number n of bytes sent (1 .. 255), the pause
+/// afterwards in milliseconds (0 .. 255), then the n bytes. Calls `visit(CommandStep)` for each; stops at the first
+/// status that is not ok, and returns it.
+template <typename Visitor>
+constexpr Status for_each_step(std::span<const std::uint8_t> table, Visitor&& visit) {
+  std::size_t at = 0;
+  while (at < table.size()) {
+    const std::size_t length = table[at];
+    const Status status = visit(CommandStep{table.subspan(at + 2, length), table[at + 1]});
+    if (status != Status::ok) return status;
+    at += 2 + length;
+  }
+  return Status::ok;
+}
+
+/// Whether the records of a table fill it exactly and none is empty; for static_assert beside the table.
+[[nodiscard]] constexpr bool is_well_formed(std::span<const std::uint8_t> table) {
+  std::size_t at = 0;
+  while (at < table.size()) {
+    if (table[at] == 0 || table.size() - at < 2U + table[at]) return false;
+    at += 2U + table[at];
+  }
+  return true;
+}
+
+}  // namespace spanline::hal

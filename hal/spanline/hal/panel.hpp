@@ -1,0 +1,56 @@
+#pragma once
+#include <concepts>
+#include <cstdint>
+#include <span>
+
+#include "spanline/hal/clock_rating.hpp"
+#include "spanline/hal/pixel_order.hpp"
+#include "spanline/hal/status.hpp"
+
+namespace spanline::hal {
+
+/// A rectangle of pixels, half open: columns x0 .. x1 − 1, rows y0 .. y1 − 1, from the top left of the picture.
+struct Window {
+  int x0 = 0;
+  int y0 = 0;
+  int x1 = 0;
+  int y1 = 0;
+
+  /// Whether it holds a pixel and lies inside `width` × `height`.
+  [[nodiscard]] constexpr bool fits(int width, int height) const {
+    return x0 >= 0 && y0 >= 0 && x0 < x1 && y0 < y1 && x1 <= width && y1 <= height;
+  }
+
+  friend constexpr bool operator==(const Window&, const Window&) = default;
+};
+
+/// How the viewer holds the panel, by quarter turns from its native portrait.
+enum class Orientation : std::uint8_t { portrait, landscape, portrait_flipped, landscape_flipped };
+
+/// A display panel: a driver composed over a bus and a clock at compile time.
+///
+/// - `width`, `height`: the picture as the viewer sees it, pixels. `pixel_order`: how a band's words must lie.
+/// - `init()`: reset, init table and wake-up; leaves the panel awake and showing its memory. May be called again at
+///   any time, and is how a panel is brought back after a bus failure.
+/// - `window(w)`: the rectangle that the next pixels() calls of the bus fill, row by row.
+/// - `write(y0, y1, pixels)`: sends rows y0 .. y1 − 1 in full width; `pixels` holds at least (y1 − y0) × width words.
+///   May return before they have left. The driver may change the words (a panel with fewer colours packs them in
+///   place), so they mean nothing afterwards; the memory is the bus's until busy() has returned false.
+/// - `busy()`: whether the last write is still on its way.
+/// - `sleep(asleep)`: puts the panel to sleep or wakes it; the panel keeps its picture.
+///
+/// All but busy() want a bus that is not busy, and say bus_busy otherwise; init() abandons a transfer in flight.
+template <typename P>
+concept Panel = requires(P& panel, const Window& rectangle, int row, std::span<std::uint16_t> pixels, bool asleep) {
+  { P::width } -> std::convertible_to<int>;
+  { P::height } -> std::convertible_to<int>;
+  { P::pixel_order } -> std::convertible_to<PixelOrder>;
+  { P::clock_rating } -> std::convertible_to<ClockRating>;
+  { panel.init() } -> std::same_as<Status>;
+  { panel.window(rectangle) } -> std::same_as<Status>;
+  { panel.write(row, row, pixels) } -> std::same_as<Status>;
+  { panel.busy() } -> std::same_as<bool>;
+  { panel.sleep(asleep) } -> std::same_as<Status>;
+};
+
+}  // namespace spanline::hal

@@ -1,0 +1,162 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "spanline/hal/bus.hpp"
+#include "spanline/hal/clock.hpp"
+#include "spanline/hal/command_table.hpp"
+#include "spanline/hal/panel.hpp"
+
+namespace spanline::hal {
+
+/// What does not depend on the bus. The SSD0323 is the SSD1325 under an older name: command table and descriptions in
+/// sections 9 and 10 of the latter's datasheet.
+namespace ssd0323 {
+
+inline constexpr std::uint8_t set_column_address = 0x15;
+inline constexpr std::uint8_t set_row_address = 0x75;
+inline constexpr std::uint8_t display_off = 0xAE;
+inline constexpr std::uint8_t display_on = 0xAF;
+
+/// The controllers of this family ask for a few microseconds of reset; this leaves room for slow edges.
+inline constexpr std::uint32_t reset_low_us = 1000;
+/// Time for the panel's own supply to rise before the first command.
+inline constexpr std::uint32_t settle_ms = 100;
+
+/// For the OSRAM Pictiva 128 × 64 glass. Only commands that both the chip and QEMU's model of it know.
+// clang-format off
+inline constexpr auto init_table = std::to_array<std::uint8_t>({
+    // bytes, pause in ms, command, arguments
+    1, 0, display_off,
+    2, 0, 0xB3, 0x91,  // clock divider and oscillator
+    2, 0, 0xA8, 0x3F,  // multiplex ratio 64
+    2, 0, 0xA2, 0x40,  // display offset: how this glass is wired
+    2, 0, 0xA1, 0x00,  // start line 0
+    2, 0, 0xAD, 0x02,  // external supply, internal VCOMH
+    2, 0, 0xA0, 0x52,  // COM split and remap, high nibble left, addresses run along rows
+    1, 0, 0x86,        // full current range
+    9, 0, 0xB8, 0x01, 0x11, 0x22, 0x32, 0x43, 0x54, 0x65, 0x76,  // grey table, close to linear
+    2, 0, 0x81, 0x70,  // contrast
+    2, 0, 0xB2, 0x51,  // row period
+    2, 0, 0xB1, 0x55,  // phase lengths
+    2, 0, 0xBC, 0x10,  // pre-charge voltage
+    2, 0, 0xBE, 0x1C,  // VCOMH
+    2, 0, 0xBF, 0x0F,  // segment low voltage
+    1, 0, 0xA4,        // show the memory
+    1, 0, display_on,
+});
+// clang-format on
+static_assert(is_well_formed(init_table));
+
+/// The grey level, 0 .. 15, of an RGB565 pixel: floor(16 × luma), with the luma of ITU-R BT.601,
+/// Y = 0.299 R + 0.587 G + 0.114 B, in integers: (633 r + 607 g + 239 b) / 4096 for r, b in 0 .. 31 and g in 0 .. 63.
+/// The weights are 256 × 255 × (0.299 / 31, 0.587 / 63, 0.114 / 31), rounded; white gives 65273 / 4096, which is 15.
+[[nodiscard]] constexpr std::uint8_t grey_level(std::uint16_t rgb565) {
+  const std::uint32_t red = rgb565 >> 11;
+  const std::uint32_t green = (rgb565 >> 5) & 0x3FU;
+  const std::uint32_t blue = rgb565 & 0x1FU;
+  return static_cast<std::uint8_t>((633U * red + 607U * green + 239U * blue) >> 12);
+}
+
+/// Packs RGB565 words into grey nibbles, in place: bytes 0 .. pixels.size() / 2 − 1 of the span's memory hold two
+/// pixels each, the left one in the high nibble. pixels.size() is even. Byte k takes words 2k and 2k + 1, which lie at
+/// or behind it, so nothing is overwritten before it is read.
+inline std::span<const std::uint8_t> pack_in_place(std::span<std::uint16_t> pixels) {
+  auto* packed = reinterpret_cast<std::uint8_t*>(pixels.data());
+  const std::size_t count = pixels.size() / 2;
+  for (std::size_t k = 0; k < count; ++k) {
+    const unsigned left = grey_level(pixels[2 * k]);
+    const unsigned right = grey_level(pixels[2 * k + 1]);
+    packed[k] = static_cast<std::uint8_t>(left << 4 | right);
+  }
+  return {packed, count};
+}
+
+}  // namespace ssd0323
+
+/// Driver of the SSD0323, a 128 × 64 OLED with 16 grey levels. Bands are RGB565 in native order; write() packs them in
+/// place, so it needs no buffer of its own. This controller takes arguments with D/C low, like commands, so every byte
+/// of a command goes out in a bus command of its own. See `Panel` for what each function does.
+template <Bus BusType, Clock ClockType>
+class Ssd0323 {
+ public:
+  static constexpr int width = 128;
+  static constexpr int height = 64;
+  static constexpr PixelOrder pixel_order = PixelOrder::native;
+  /// Serial clock cycle 250 ns (AC characteristics); nothing faster is known to be safe.
+  static constexpr ClockRating clock_rating{.rated_hz = 4'000'000, .tolerated_hz = 4'000'000};
+
+  Ssd0323(BusType& bus, ClockType& clock) : bus_(bus), clock_(clock) {}
+
+  Status init() {
+    state_ = State::off;
+    if (clock_rating.verdict(bus_.clock_hz()) == ClockVerdict::too_high) return Status::bus_clock_too_high;
+    bus_.reset(true);
+    clock_.delay_us(ssd0323::reset_low_us);
+    bus_.reset(false);
+    if (bus_.busy()) return Status::bus_timeout;  // a stuck bus shows here, before the long pause
+    delay_ms(clock_, ssd0323::settle_ms);
+    const Status status = for_each_step(ssd0323::init_table, [this](const CommandStep& step) {
+      const Status sent = send(step.bytes);
+      if (sent == Status::ok && step.delay_ms != 0) delay_ms(clock_, step.delay_ms);
+      return sent;
+    });
+    if (status == Status::ok) state_ = State::awake;
+    return status;
+  }
+
+  /// x0 and x1 are even: memory columns hold two pixels.
+  Status window(const Window& rectangle) {
+    if (const Status status = ready(); status != Status::ok) return status;
+    if (!rectangle.fits(width, height) || rectangle.x0 % 2 != 0 || rectangle.x1 % 2 != 0) {
+      return Status::window_out_of_range;
+    }
+    return send(std::array{ssd0323::set_column_address, static_cast<std::uint8_t>(rectangle.x0 / 2),
+                           static_cast<std::uint8_t>(rectangle.x1 / 2 - 1), ssd0323::set_row_address,
+                           static_cast<std::uint8_t>(rectangle.y0), static_cast<std::uint8_t>(rectangle.y1 - 1)});
+  }
+
+  Status write(int y0, int y1, std::span<std::uint16_t> pixels) {
+    const Window rows{0, y0, width, y1};
+    if (!rows.fits(width, height)) return Status::window_out_of_range;
+    const std::size_t count = static_cast<std::size_t>(y1 - y0) * width;
+    if (pixels.size() < count) return Status::buffer_too_small;
+    if (const Status status = window(rows); status != Status::ok) return status;
+    return bus_.pixels(ssd0323::pack_in_place(pixels.first(count)));
+  }
+
+  [[nodiscard]] bool busy() const { return bus_.busy(); }
+
+  /// Sleep is display off: the memory stays, and takes writes, but the driver refuses them like any panel.
+  Status sleep(bool asleep) {
+    if (state_ == State::off) return Status::panel_not_ready;
+    if (bus_.busy()) return Status::bus_busy;
+    const Status status = send(std::array{asleep ? ssd0323::display_off : ssd0323::display_on});
+    if (status == Status::ok) state_ = asleep ? State::asleep : State::awake;
+    return status;
+  }
+
+ private:
+  enum class State : std::uint8_t { off, awake, asleep };
+
+  [[nodiscard]] Status ready() const {
+    if (state_ == State::off) return Status::panel_not_ready;
+    if (state_ == State::asleep) return Status::panel_asleep;
+    return bus_.busy() ? Status::bus_busy : Status::ok;
+  }
+
+  Status send(std::span<const std::uint8_t> bytes) {
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+      if (const Status status = bus_.command(bytes.subspan(i, 1)); status != Status::ok) return status;
+    }
+    return Status::ok;
+  }
+
+  BusType& bus_;
+  ClockType& clock_;
+  State state_ = State::off;
+};
+
+}  // namespace spanline::hal

@@ -1,0 +1,19 @@
+#pragma once
+#include <bit>
+#include <cstdint>
+
+namespace spanline::hal {
+
+/// How an RGB565 pixel (red in bits 15..11, green in 10..5, blue in 4..0) lies in a 16-bit word of a band.
+enum class PixelOrder : std::uint8_t {
+  native,           ///< the word's value is the pixel
+  high_byte_first,  ///< the byte with red comes first in memory, as it goes over the wire
+};
+
+/// The word that stands for the RGB565 value `pixel` in `order`; its own inverse.
+[[nodiscard]] constexpr std::uint16_t to_pixel_order(PixelOrder order, std::uint16_t pixel) {
+  if (order == PixelOrder::native || std::endian::native == std::endian::big) return pixel;
+  return static_cast<std::uint16_t>((pixel << 8) | (pixel >> 8));
+}
+
+}  // namespace spanline::hal

@@ -1,0 +1,44 @@
+#pragma once
+#include <cstdint>
+
+namespace spanline::hal {
+
+/// What became of a HAL call. Everything but `ok` means that the call did not do what it was asked to do.
+enum class [[nodiscard]] Status : std::uint8_t{
+    ok,
+    bus_timeout,          ///< the bus did not finish a transfer in time; the frame is given up
+    bus_busy,             ///< a transfer is still in flight: wait until the bus is not busy
+    bus_clock_too_high,   ///< the bus clock is above what the panel's table tolerates
+    window_out_of_range,  ///< a window is empty, outside the panel or off its column grid
+    buffer_too_small,     ///< the pixel buffer holds fewer pixels than the rows need
+    panel_not_ready,      ///< pixels or sleep before a successful init()
+    panel_asleep,         ///< pixels while the panel sleeps
+    out_of_order,         ///< a present call outside a frame, an unknown buffer, or a buffer that the bus still owns
+};
+
+/// The name of a status, for consoles and test output.
+[[nodiscard]] constexpr const char* to_string(Status status) {
+  switch (status) {
+    case Status::ok:
+      return "ok";
+    case Status::bus_timeout:
+      return "bus_timeout";
+    case Status::bus_busy:
+      return "bus_busy";
+    case Status::bus_clock_too_high:
+      return "bus_clock_too_high";
+    case Status::window_out_of_range:
+      return "window_out_of_range";
+    case Status::buffer_too_small:
+      return "buffer_too_small";
+    case Status::panel_not_ready:
+      return "panel_not_ready";
+    case Status::panel_asleep:
+      return "panel_asleep";
+    case Status::out_of_order:
+      return "out_of_order";
+  }
+  return "unknown";
+}
+
+}  // namespace spanline::hal

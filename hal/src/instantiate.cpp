@@ -1,0 +1,41 @@
+// Instantiates drivers and present loop over a bus and a clock that do nothing, on every target: the compiler sees all
+// of their code with the project's warnings, and the symbol check finds no heap, float or exception in it.
+#include "spanline/hal/panels/ili9341.hpp"
+#include "spanline/hal/panels/ssd0323.hpp"
+#include "spanline/hal/present.hpp"
+
+namespace spanline::hal::check {
+
+struct NullBus {
+  Status command(std::span<const std::uint8_t>) { return Status::ok; }
+  Status pixels(std::span<const std::uint8_t>) { return Status::ok; }
+  bool busy() { return false; }
+  void reset(bool) {}
+  std::uint32_t clock_hz() { return 1'000'000; }
+};
+
+struct NullClock {
+  std::uint32_t now_us() { return 0; }
+  void delay_us(std::uint32_t) {}
+};
+
+struct NullCounter {
+  std::uint32_t cycles() { return 0; }
+};
+
+using Portrait = Ili9341<NullBus, NullClock, Orientation::portrait>;
+using Landscape = Ili9341<NullBus, NullClock>;
+using Oled = Ssd0323<NullBus, NullClock>;
+static_assert(Panel<Portrait> && Panel<Landscape> && Panel<Oled> && CycleCounter<NullCounter>);
+
+}  // namespace spanline::hal::check
+
+namespace spanline::hal {
+
+template class Ili9341<check::NullBus, check::NullClock, Orientation::portrait>;
+template class Ili9341<check::NullBus, check::NullClock>;
+template class Ssd0323<check::NullBus, check::NullClock>;
+template class Present<check::Landscape, check::NullClock>;
+template class Present<check::Oled, check::NullClock>;
+
+}  // namespace spanline::hal
