@@ -50,14 +50,15 @@ inline constexpr auto init_table = std::to_array<std::uint8_t>({
 // clang-format on
 static_assert(is_well_formed(init_table));
 
-/// The grey level, 0 .. 15, of an RGB565 pixel: floor(16 × luma), with the luma of ITU-R BT.601,
-/// Y = 0.299 R + 0.587 G + 0.114 B, in integers: (633 r + 607 g + 239 b) / 4096 for r, b in 0 .. 31 and g in 0 .. 63.
-/// The weights are 256 × 255 × (0.299 / 31, 0.587 / 63, 0.114 / 31), rounded; white gives 65273 / 4096, which is 15.
+/// The grey level, 0 .. 15, of an RGB565 pixel: floor(Y × 255 / 16) with the luma Y in 0 .. 1 of ITU-R BT.601,
+/// Y = 0.299 R + 0.587 G + 0.114 B. In integers: floor((630 r + 608 g + 240 b) / 4096) for r, b in 0 .. 31 and g in
+/// 0 .. 63; the weights are 65280 × (0.299 / 31, 0.587 / 63, 0.114 / 31), rounded, which is within 0.007 of a level.
+/// White gives 65274 / 4096, which is 15.
 [[nodiscard]] constexpr std::uint8_t grey_level(std::uint16_t rgb565) {
   const std::uint32_t red = rgb565 >> 11;
   const std::uint32_t green = (rgb565 >> 5) & 0x3FU;
   const std::uint32_t blue = rgb565 & 0x1FU;
-  return static_cast<std::uint8_t>((633U * red + 607U * green + 239U * blue) >> 12);
+  return static_cast<std::uint8_t>((630U * red + 608U * green + 240U * blue) >> 12);
 }
 
 /// Packs RGB565 words into grey nibbles, in place: bytes 0 .. pixels.size() / 2 − 1 of the span's memory hold two

@@ -1,0 +1,82 @@
+#pragma once
+#include <cstdint>
+#include <span>
+
+#include "panels/host_bus.hpp"
+#include "panels/sim_clock.hpp"
+#include "spanline/hal/bus.hpp"
+
+namespace spanline::sim {
+
+/// A bus that finishes each transfer of pixels only `transfer_us` after its start, whatever its size. A test that draws
+/// says so by draw(), and learns how often drawing overlapped a transfer.
+class LateBus {
+ public:
+  LateBus(SimClock& clock, std::uint32_t transfer_us) : clock_(clock), transfer_us_(transfer_us) {}
+
+  hal::Status command(std::span<const std::uint8_t>) {
+    if (busy()) ++misuses_;
+    return hal::Status::ok;
+  }
+  hal::Status pixels(std::span<const std::uint8_t>) {
+    if (busy()) ++misuses_;
+    ++transfers_;
+    done_ns_ = clock_.now_ns() + std::uint64_t{transfer_us_} * 1000;
+    return hal::Status::ok;
+  }
+  [[nodiscard]] bool busy() const { return clock_.now_ns() < done_ns_; }
+  void reset(bool held) {
+    if (held) done_ns_ = 0;
+  }
+  [[nodiscard]] std::uint32_t clock_hz() const { return 1'000'000; }
+
+  /// Drawing that takes `us` begins now.
+  void draw(std::uint32_t us) {
+    if (busy()) ++draws_while_busy_;
+    clock_.delay_us(us);
+  }
+
+  [[nodiscard]] int draws_while_busy() const { return draws_while_busy_; }
+  [[nodiscard]] int transfers() const { return transfers_; }
+  [[nodiscard]] int misuses() const { return misuses_; }  ///< commands or pixels while busy
+
+ private:
+  SimClock& clock_;
+  std::uint32_t transfer_us_;
+  std::uint64_t done_ns_ = 0;
+  int draws_while_busy_ = 0;
+  int transfers_ = 0;
+  int misuses_ = 0;
+};
+
+/// A bus that works until it is told to stick, and then never finishes anything until it is told to recover: transfers
+/// stay in flight, commands time out, and a reset does not help.
+class StuckBus {
+ public:
+  explicit StuckBus(HostBus& inner) : inner_(inner) {}
+
+  /// The transfer number `transfer` from now, counted from 1, never finishes; with 0 the bus is stuck at once.
+  void stick_at(int transfer) {
+    remaining_ = transfer;
+    stuck_ = transfer == 0;
+  }
+  void recover() { stuck_ = false; }
+
+  hal::Status command(std::span<const std::uint8_t> bytes) {
+    return stuck_ ? hal::Status::bus_timeout : inner_.command(bytes);
+  }
+  hal::Status pixels(std::span<const std::uint8_t> bytes) {
+    if (remaining_ > 0 && --remaining_ == 0) stuck_ = true;
+    return stuck_ ? hal::Status::ok : inner_.pixels(bytes);
+  }
+  bool busy() { return stuck_ || inner_.busy(); }
+  void reset(bool held) { inner_.reset(held); }
+  [[nodiscard]] std::uint32_t clock_hz() const { return inner_.clock_hz(); }
+
+ private:
+  HostBus& inner_;
+  int remaining_ = 0;
+  bool stuck_ = false;
+};
+
+}  // namespace spanline::sim
