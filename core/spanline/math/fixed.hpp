@@ -121,6 +121,8 @@ constexpr Format parse_decimal(const char* text) {
 inline namespace literals {
 /// `1.5_q16`: a Q16.16 constant, read from its decimal digits at compile time.
 consteval Q16_16 operator""_q16(const char* digits) { return detail::parse_decimal<Q16_16>(digits); }
+/// `0.75_q24`: a Q8.24 constant, as scales are.
+consteval Fixed<24> operator""_q24(const char* digits) { return detail::parse_decimal<Fixed<24>>(digits); }
 /// `0.7071_q30`: a Q2.30 constant.
 consteval Q2_30 operator""_q30(const char* digits) { return detail::parse_decimal<Q2_30>(digits); }
 }  // namespace literals

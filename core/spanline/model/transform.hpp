@@ -7,7 +7,7 @@ namespace spanline {
 /// normal; the converter bakes other scales into the mesh.
 struct Transform {
   Rotation rotation{};
-  Q16_16 scale = Q16_16::from_int(1);  ///< (0, 256)
+  Fixed<24> scale = Fixed<24>::from_int(1);  ///< (0, 128)
   Position translation{};
 };
 

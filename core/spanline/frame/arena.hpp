@@ -1,0 +1,36 @@
+#pragma once
+#include <cstddef>
+#include <new>
+#include <span>
+
+namespace spanline {
+
+/// Cuts typed pools off a block of bytes, in order. Run without memory it only counts, so that the same list of pools
+/// says how many bytes they need.
+class Arena {
+ public:
+  static constexpr std::size_t alignment = 8;
+
+  constexpr Arena() = default;
+  explicit Arena(std::span<std::byte> memory) : memory_(memory) {}
+
+  /// `count` objects of T, or an empty span where memory has run out; size() tells what was wanted.
+  template <class T>
+  constexpr std::span<T> take(std::size_t count) {
+    static_assert(alignof(T) <= alignment);
+    const std::size_t start = used_;
+    used_ += (count * sizeof(T) + alignment - 1) / alignment * alignment;
+    if (memory_.data() == nullptr || used_ > memory_.size()) return {};
+    T* first = reinterpret_cast<T*>(memory_.data() + start);
+    for (std::size_t i = 0; i < count; ++i) new (static_cast<void*>(first + i)) T;
+    return {first, count};
+  }
+
+  [[nodiscard]] constexpr std::size_t size() const { return used_; }
+
+ private:
+  std::span<std::byte> memory_{};
+  std::size_t used_ = 0;
+};
+
+}  // namespace spanline

@@ -1,0 +1,36 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+namespace spanline {
+
+/// How large a renderer's pools are. All memory is the caller's; `Renderer::bytes_needed` says how much this makes.
+struct Capacity {
+  std::uint16_t width = 320;      ///< pixels, 1 … 2047
+  std::uint16_t height = 240;     ///< pixels, 1 … 2047
+  std::uint16_t band_lines = 16;  ///< lines drawn at a time, 1 … height; height itself is a full-frame z-buffer
+  std::uint8_t colour_bands = 2;  ///< 1, or 2 to draw one while the other is on its way to the display
+  std::uint32_t instances = 1;    ///< meshes in view
+  std::uint32_t vertices = 0;     ///< of all instances in view, and what clipping adds
+  std::uint32_t shades = 0;       ///< vertices of instances with Gouraud shading, and what clipping adds
+  std::uint32_t polygons = 0;     ///< triangles that face the eye
+  std::uint32_t fans = 0;    ///< of these, the pieces of clipped triangles and of polygons with more than three corners
+  std::uint32_t active = 0;  ///< polygons that reach across a band's lower edge; none with a single band
+
+  [[nodiscard]] constexpr std::uint32_t bands() const { return (height + band_lines - 1u) / band_lines; }
+  [[nodiscard]] constexpr bool valid() const {
+    return width >= 1 && width <= 2047 && height >= 1 && height <= 2047 && band_lines >= 1 && band_lines <= height &&
+           (colour_bands == 1 || colour_bands == 2);
+  }
+};
+
+/// Bytes in use at most, pool by pool.
+struct PoolPeaks {
+  std::size_t instances = 0, vertices = 0, shades = 0, polygons = 0, fans = 0, active = 0, buckets = 0,
+              colour_bands = 0, depth_band = 0;
+  [[nodiscard]] constexpr std::size_t total() const {
+    return instances + vertices + shades + polygons + fans + active + buckets + colour_bands + depth_band;
+  }
+};
+
+}  // namespace spanline

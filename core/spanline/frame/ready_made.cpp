@@ -1,0 +1,13 @@
+// The renderers that most programs want, compiled into the library, so that the checks of its symbols (no heap, no
+// floating point, no exceptions) see the templates as well.
+#include "spanline/frame/renderer.hpp"
+
+namespace spanline {
+
+template class Renderer<FlatTraits<Rgb565>>;
+template class Renderer<FlatTraits<Rgb565Swapped>>;
+template class Renderer<FullTraits<Rgb565>>;
+template class Renderer<FullTraits<Rgb565Swapped>>;
+template class Renderer<FullTraits<Rgb565, Depth24<>>>;
+
+}  // namespace spanline

@@ -1,0 +1,375 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "spanline/frame/arena.hpp"
+#include "spanline/frame/capacity.hpp"
+#include "spanline/frame/status.hpp"
+#include "spanline/frame/traits.hpp"
+#include "spanline/geometry/instance.hpp"
+#include "spanline/geometry/polygon_assembly.hpp"
+#include "spanline/model/camera.hpp"
+#include "spanline/shade/lighting.hpp"
+#include "spanline/visibility/active_need.hpp"
+#include "spanline/visibility/depth_buffer.hpp"
+
+namespace spanline {
+
+/// What a frame shows besides its instances.
+struct FrameSettings {
+  Camera camera{};
+  Lighting lighting{};
+  Rgb888 background{0, 0, 0};
+  Cull cull = Cull::back;
+};
+
+/// A finished band of lines, as the sink gets it.
+template <class Pixel, class DepthWord>
+struct Band {
+  std::int32_t y0, y1;               ///< lines [y0, y1) of the picture
+  std::span<Pixel> pixels;           ///< line by line, width · (y1 − y0)
+  std::span<const DepthWord> depth;  ///< parallel to the pixels
+  unsigned buffer;                   ///< which of the colour bands holds it: 0 or 1
+};
+
+/// Numbers of a frame (design: the lectures' sets P, F, B; and what visibility did, where the traits count it).
+struct Statistics {
+  PolygonCounts polygons;
+  VisibilityCounters visibility;
+};
+
+/// The front door: takes a frame's instances, then draws it band by band.
+///
+///     Renderer<FlatTraits<>> renderer(capacity, memory);
+///     renderer.begin(settings);
+///     renderer.add(mesh, transform, material);   // as many as there are
+///     renderer.draw([&](const auto& band) { send(band); return true; });
+///
+/// It owns no memory: `bytes_needed` bytes are the caller's, and so are the tables of meshes and lights, which must
+/// stay until `draw` has returned. Nothing is allocated. The order of submission settles ties.
+template <class Traits>
+class Renderer {
+ public:
+  using Depth = typename Traits::Depth;
+  using DepthWord = typename Depth::Word;
+  using Format = typename Traits::Format;
+  using Pixel = typename Format::Pixel;
+  using Shaders = typename Traits::Shaders;
+  using BandView = Band<Pixel, DepthWord>;
+
+  /// Bytes that a configuration takes of the caller's memory, alignment included.
+  [[nodiscard]] static constexpr std::size_t bytes_needed(const Capacity& capacity) {
+    Arena counting;
+    Pools pools;
+    pools.take(counting, capacity);
+    return counting.size() + Arena::alignment - 1;
+  }
+
+  /// Divides `memory` into pools. `status()` tells whether it was enough and the capacity valid; if not, the renderer
+  /// refuses every frame.
+  Renderer(const Capacity& capacity, std::span<std::byte> memory) : capacity_(capacity), visibility_({}) {
+    const bool links_fit = capacity.polygons < no_link && capacity.fans < fan_flag && capacity.active < no_link &&
+                           capacity.instances < no_link;
+    if (!capacity.valid() || !links_fit) {
+      status_ = {Fault::bad_configuration, Pool::none, 0};
+      return;
+    }
+    const std::size_t misaligned = reinterpret_cast<std::uintptr_t>(memory.data()) % Arena::alignment;
+    const std::size_t skipped = misaligned == 0 ? 0 : std::min(Arena::alignment - misaligned, memory.size());
+    Arena arena(memory.subspan(skipped));
+    pools_.take(arena, capacity);
+    if (arena.size() > memory.size() - skipped) {
+      status_ = {Fault::pool_full, Pool::memory, static_cast<std::uint32_t>(bytes_needed(capacity))};
+      return;
+    }
+    table_.references = pools_.references;
+    table_.fans = pools_.fans;
+    table_.groups = pools_.groups;
+    table_.buckets = pools_.buckets;
+    visibility_ = Visibility(pools_.active);
+    band_of_row_ = BandOfRow(capacity.band_lines);
+  }
+
+  [[nodiscard]] Status status() const { return status_; }
+
+  /// Starts a frame. Fails for a camera whose planes or focal length are out of range, and draws nothing then.
+  Status begin(const FrameSettings& settings) {
+    ready_ = false;
+    table_.clear();
+    statistics_ = {};
+    peaks_ = {};
+    used_ = {};
+    if (!status_.ok()) return status_;
+    if (!settings_valid(settings.camera)) return {Fault::bad_settings, Pool::none, 0};
+    settings_ = settings;
+    view_ = {settings.camera, viewport(), Depth::bits, Depth::nearest, Depth::farthest};
+    ready_ = true;
+    return {};
+  }
+
+  /// Adds an instance of a validated mesh. Where a pool is full what fits is kept, and the status names the pool and
+  /// the size that the frame has wanted so far.
+  Status add(const Mesh& mesh, const Transform& transform, const Material& material) {
+    if (!ready_) return status_.ok() ? Status{Fault::bad_settings, Pool::none, 0} : status_;
+    const std::uint8_t shader = shader_for<Traits>(material.shading, !mesh.vertex_colours.empty());
+    const std::uint32_t first_id = used_.ids;
+    used_.ids += static_cast<std::uint32_t>(mesh.triangle_count());
+    if (shader >= Shaders::count) return {Fault::shader_missing, Pool::none, 0};
+
+    const InstanceGeometry geometry(view_, mesh, transform);
+    if (geometry.placement() == Placement::outside) {
+      statistics_.polygons.total += static_cast<std::uint32_t>(mesh.triangle_count());
+      statistics_.polygons.outside += static_cast<std::uint32_t>(mesh.triangle_count());
+      return {};
+    }
+    const bool shaded = needs_shades(material);
+    if (const Status room = reserve(mesh, shaded); !room.ok()) return room;
+
+    const Link number = table_.group_count++;
+    PolygonGroup& group = table_.groups[number];
+    ShadingGroup& shading = pools_.shading[number];
+    VertexStore store{pools_.vertices.subspan(used_.vertices),
+                      shaded ? pools_.shades.subspan(used_.shades) : std::span<std::uint32_t>{},
+                      static_cast<Link>(mesh.vertex_count()), 0};
+    group = {store.vertices.data(), mesh.indices.data(), table_.polygon_count, first_id,
+             geometry.placement() != Placement::inside};
+    shading = {};
+    shading.mesh = &mesh;
+    shading.vertex_shades = store.shades.data();
+    shading.first_id = first_id;
+    shading.colour = LitColour::from(material.colour);
+    shading.shader = shader;
+    set_lights(settings_.lighting, transform, shading);
+    if (shaded) prepare_shades(mesh, material, number, shading, store.shades.data());
+    return assemble(mesh, geometry, group, store);
+  }
+
+  /// Adds triangles that are on screen already: corners three by three (outcodes set where they leave the viewport),
+  /// and a colour each in RGB565. Both tables must stay until `draw` has returned. For flat shading.
+  Status add_screen(std::span<const ScreenVertex> vertices, std::span<const std::uint16_t> colours) {
+    if (!ready_) return status_.ok() ? Status{Fault::bad_settings, Pool::none, 0} : status_;
+    const std::uint8_t shader = shader_for<Traits>(ShadingMode::flat, false);
+    const std::uint32_t first_id = used_.ids;
+    used_.ids += static_cast<std::uint32_t>(vertices.size() / 3);
+    if (shader >= Shaders::count) return {Fault::shader_missing, Pool::none, 0};
+    if (const Status room = reserve_group(); !room.ok()) return room;
+    const Link number = table_.group_count++;
+    table_.groups[number] = {vertices.data(), nullptr, table_.polygon_count, first_id, true};
+    ShadingGroup& shading = pools_.shading[number];
+    shading = {};
+    shading.screen_colours = colours.data();
+    shading.first_id = first_id;
+    shading.shader = shader;
+    PolygonAssembly assembly(table_, band_of_row_, viewport(), settings_.cull);
+    assembly.run_screen(vertices);
+    return finish(assembly, 0, 0);
+  }
+
+  /// Draws the frame, top to bottom. For each band: `sink.acquire(buffer)` where the sink has it, which waits until
+  /// that colour band is free again; then the drawing; then `sink(band)`. Either may return false to give the frame up.
+  /// With statistics, `sink.covered(id)` is told of every triangle that covers a pixel centre, where the sink has it.
+  template <class Sink>
+  Status draw(Sink&& sink) {
+    if (!ready_) return status_.ok() ? Status{Fault::bad_settings, Pool::none, 0} : status_;
+    start_bands();
+    for (std::uint32_t band = 0; band < capacity_.bands(); ++band) {
+      if constexpr (requires { sink.acquire(0u); }) {
+        if (!sink.acquire(buffer_of(band))) return {Fault::sink_failed, Pool::none, 0};
+      }
+      clear_band(band);
+      const BandView view = draw_band(band, sink);
+      if (!sink(view)) return {Fault::sink_failed, Pool::none, 0};
+    }
+    return end_bands();
+  }
+
+  /// The steps of `draw`, for programs with a loop of their own (benchmarks, two cores): start, then for each band in
+  /// order clear and draw, then end.
+  void start_bands() { visibility_.begin_frame(); }
+  void clear_band(std::uint32_t band) {
+    const BandView view = band_view(band);
+    std::fill(view.pixels.begin(), view.pixels.end(), Format::from(settings_.background));
+    std::fill_n(pools_.depth.begin(), view.depth.size(), Depth::clear);
+  }
+  template <class Sink>
+  BandView draw_band(std::uint32_t band, Sink& sink) {
+    const BandView view = band_view(band);
+    typename Visibility::Target target{pools_.depth.data(), view.pixels.data(), capacity_.width,
+                                       view.y0 + row_bias,  view.y1 + row_bias, &statistics_.visibility};
+    visibility_.draw_band(table_, std::span<const ShadingGroup>(pools_.shading), static_cast<std::int32_t>(band),
+                          viewport(), target, [&](std::uint32_t id) {
+                            if constexpr (requires { sink.covered(id); }) sink.covered(id);
+                          });
+    return view;
+  }
+  Status end_bands() {
+    note_peaks();
+    if (!visibility_.overflowed()) return {};
+    return {Fault::pool_full, Pool::active, active_polygons_needed(table_, viewport(), capacity_.band_lines)};
+  }
+
+  [[nodiscard]] const Statistics& statistics() const { return statistics_; }
+  /// Of the last frame that was drawn.
+  [[nodiscard]] const PoolPeaks& peaks() const { return peaks_; }
+  [[nodiscard]] const Capacity& capacity() const { return capacity_; }
+
+ private:
+  using Visibility = DepthBuffer<Depth, Pixel, Shaders, Traits::statistics>;
+  using ActivePool = typename Visibility::Entry;
+  static constexpr bool has_ramps = Shaders::template index_of<GouraudShader<Format>> < Shaders::count;
+  static constexpr bool has_shades =
+      has_ramps || Shaders::template index_of<GouraudColourShader<Format>> < Shaders::count;
+
+  /// Every pool, in the order in which the arena cuts them.
+  struct Pools {
+    std::span<PolygonGroup> groups;
+    std::span<ShadingGroup> shading;
+    std::span<std::uint16_t> ramps;
+    std::span<ScreenVertex> vertices;
+    std::span<std::uint32_t> shades;
+    std::span<PolygonReference> references;
+    std::span<FanTriangle> fans;
+    std::span<Link> buckets;
+    std::span<ActivePool> active;
+    std::span<DepthWord> depth;
+    std::span<Pixel> colour[2];
+
+    constexpr void take(Arena& arena, const Capacity& c) {
+      const std::size_t band_pixels = std::size_t{c.width} * c.band_lines;
+      groups = arena.take<PolygonGroup>(c.instances);
+      shading = arena.take<ShadingGroup>(c.instances);
+      ramps = arena.take<std::uint16_t>(has_ramps ? c.instances * gouraud::ramp_size : 0);
+      vertices = arena.take<ScreenVertex>(c.vertices);
+      shades = arena.take<std::uint32_t>(has_shades ? c.shades : 0);
+      references = arena.take<PolygonReference>(c.polygons);
+      fans = arena.take<FanTriangle>(c.fans);
+      buckets = arena.take<Link>(c.bands());
+      active = arena.take<ActivePool>(c.active);
+      depth = arena.take<DepthWord>(band_pixels);
+      for (unsigned i = 0; i < c.colour_bands && i < 2; ++i) colour[i] = arena.take<Pixel>(band_pixels);
+    }
+  };
+
+  /// How much of the pools the frame has taken.
+  struct Used {
+    std::uint32_t vertices = 0, shades = 0, ids = 0;
+    std::uint32_t instances_wanted = 0, vertices_wanted = 0, shades_wanted = 0, polygons_wanted = 0,
+                  fans_wanted = 0;  ///< and not found
+  };
+
+  [[nodiscard]] Viewport viewport() const { return {capacity_.width, capacity_.height}; }
+  [[nodiscard]] unsigned buffer_of(std::uint32_t band) const { return capacity_.colour_bands == 2 ? band & 1u : 0u; }
+  [[nodiscard]] static bool needs_shades(const Material& material) {
+    return has_shades && material.shading == ShadingMode::gouraud;
+  }
+
+  [[nodiscard]] static bool settings_valid(const Camera& camera) {
+    const bool planes = camera.near_plane < camera.far_plane;
+    return planes && camera.focal.raw() > 0 &&
+           (camera.projection == Projection::orthographic || camera.near_plane.raw() > 0);
+  }
+
+  [[nodiscard]] BandView band_view(std::uint32_t band) const {
+    const auto y0 = static_cast<std::int32_t>(band * capacity_.band_lines);
+    const std::int32_t y1 = std::min<std::int32_t>(y0 + capacity_.band_lines, capacity_.height);
+    const std::size_t count = std::size_t{capacity_.width} * static_cast<std::size_t>(y1 - y0);
+    const unsigned buffer = buffer_of(band);
+    return {y0, y1, pools_.colour[buffer].first(count), pools_.depth.first(count), buffer};
+  }
+
+  /// Counts what does not fit, and says what would.
+  static Status refuse(Pool pool, std::uint32_t& missing_so_far, std::size_t missing, std::size_t size) {
+    missing_so_far += static_cast<std::uint32_t>(missing);
+    return {Fault::pool_full, pool, static_cast<std::uint32_t>(size) + missing_so_far};
+  }
+  Status reserve_group() {
+    if (table_.group_count < pools_.groups.size()) return {};
+    return refuse(Pool::instances, used_.instances_wanted, 1, pools_.groups.size());
+  }
+  Status reserve(const Mesh& mesh, bool shaded) {
+    if (const Status room = reserve_group(); !room.ok()) return room;
+    const std::size_t count = mesh.vertex_count();
+    if (count > pools_.vertices.size() - used_.vertices)
+      return refuse_all(Pool::vertices, used_.vertices_wanted, used_.vertices, count, pools_.vertices.size());
+    if (shaded && count > pools_.shades.size() - used_.shades)
+      return refuse_all(Pool::shades, used_.shades_wanted, used_.shades, count, pools_.shades.size());
+    return {};
+  }
+  /// An instance's vertices fit whole or not at all: the free rest counts as taken by it.
+  static Status refuse_all(Pool pool, std::uint32_t& missing_so_far, std::uint32_t used, std::size_t count,
+                           std::size_t size) {
+    const std::size_t free_rest = missing_so_far == 0 ? size - used : 0;
+    return refuse(pool, missing_so_far, count - free_rest, size);
+  }
+
+  void prepare_shades(const Mesh& mesh, const Material& material, Link number, ShadingGroup& shading,
+                      std::uint32_t* shades) {
+    shade_vertices(mesh, shading, shades);
+    if constexpr (has_ramps) {
+      if (!mesh.vertex_colours.empty()) return;
+      std::uint16_t* ramp = pools_.ramps.data() + number * gouraud::ramp_size;
+      fill_ramp<Format>(LitColour::from(material.colour), ramp);
+      shading.ramp = ramp;
+    }
+  }
+
+  Status assemble(const Mesh& mesh, const InstanceGeometry& geometry, const PolygonGroup& group, VertexStore& store) {
+    geometry.transform_vertices(store.vertices.data());
+    PolygonAssembly assembly(table_, band_of_row_, viewport(), settings_.cull);
+    const Clipper clipper = geometry.clipper(shade_kind(mesh));
+    const std::size_t room =
+        store.shades.empty() ? store.vertices.size() : std::min(store.vertices.size(), store.shades.size());
+    store.vertices = store.vertices.first(room);
+    assembly.run(mesh, group.vertices, group.scissored, geometry.clip_context(clipper, store));
+    used_.vertices += store.count;
+    if (!store.shades.empty()) used_.shades += store.count;
+    return finish(assembly, store.wanted_vertices, store.shades.empty() ? 0 : store.wanted_vertices);
+  }
+
+  Status finish(const PolygonAssembly& assembly, std::uint32_t vertices_missing, std::uint32_t shades_missing) {
+    statistics_.polygons.total += assembly.counts.total;
+    statistics_.polygons.outside += assembly.counts.outside;
+    statistics_.polygons.back += assembly.counts.back;
+    if (vertices_missing != 0) {
+      const Status full = refuse(Pool::vertices, used_.vertices_wanted, vertices_missing, pools_.vertices.size());
+      if (shades_missing == 0 || pools_.vertices.size() - used_.vertices < pools_.shades.size() - used_.shades)
+        return full;
+      return refuse(Pool::shades, used_.shades_wanted, shades_missing, pools_.shades.size());
+    }
+    if (assembly.fans_wanted != 0)
+      return refuse(Pool::fans, used_.fans_wanted, assembly.fans_wanted, pools_.fans.size());
+    if (assembly.polygons_wanted != 0)
+      return refuse(Pool::polygons, used_.polygons_wanted, assembly.polygons_wanted, pools_.references.size());
+    return {};
+  }
+
+  void note_peaks() {
+    peaks_.instances =
+        table_.group_count * (sizeof(PolygonGroup) + sizeof(ShadingGroup) + (has_ramps ? gouraud::ramp_size * 2 : 0));
+    peaks_.vertices = used_.vertices * sizeof(ScreenVertex);
+    peaks_.shades = used_.shades * sizeof(std::uint32_t);
+    peaks_.polygons = table_.polygon_count * sizeof(PolygonReference);
+    peaks_.fans = table_.fan_count * sizeof(FanTriangle);
+    peaks_.active = visibility_.peak() * sizeof(ActivePool);
+    peaks_.buckets = pools_.buckets.size_bytes();
+    peaks_.colour_bands = pools_.colour[0].size_bytes() + pools_.colour[1].size_bytes();
+    peaks_.depth_band = pools_.depth.size_bytes();
+  }
+
+  Capacity capacity_;
+  Status status_{};
+  bool ready_ = false;
+  Pools pools_{};
+  PolygonTable table_{};
+  BandOfRow band_of_row_{};
+  FrameSettings settings_{};
+  FrameView view_{};
+  Visibility visibility_;
+  Used used_{};
+  Statistics statistics_{};
+  PoolPeaks peaks_{};
+};
+
+}  // namespace spanline

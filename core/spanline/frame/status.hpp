@@ -1,0 +1,37 @@
+#pragma once
+#include <cstdint>
+
+namespace spanline {
+
+/// The renderer's pools: parts of the caller's memory.
+enum class Pool : std::uint8_t { none, memory, instances, vertices, shades, polygons, fans, active };
+
+enum class Fault : std::uint8_t {
+  none,
+  pool_full,  ///< `pool` was too small; it would have taken `wanted` entries (bytes for `memory`). What fits was drawn
+  bad_configuration,  ///< sizes outside their ranges
+  bad_settings,       ///< near, far or focal outside their ranges
+  shader_missing,     ///< a material's shading mode is not among the renderer's shaders; the instance was left out
+  sink_failed,        ///< the sink gave the frame up
+};
+
+/// How a call went.
+struct [[nodiscard]] Status {
+  Fault fault = Fault::none;
+  Pool pool = Pool::none;
+  std::uint32_t wanted = 0;
+  [[nodiscard]] constexpr bool ok() const { return fault == Fault::none; }
+  friend constexpr bool operator==(const Status&, const Status&) = default;
+};
+
+[[nodiscard]] constexpr const char* to_string(Pool pool) {
+  constexpr const char* names[] = {"none", "memory", "instances", "vertices", "shades", "polygons", "fans", "active"};
+  return names[static_cast<unsigned>(pool)];
+}
+[[nodiscard]] constexpr const char* to_string(Fault fault) {
+  constexpr const char* names[] = {"none",         "pool full",      "bad configuration",
+                                   "bad settings", "shader missing", "sink failed"};
+  return names[static_cast<unsigned>(fault)];
+}
+
+}  // namespace spanline

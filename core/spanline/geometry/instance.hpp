@@ -1,0 +1,35 @@
+#pragma once
+#include "spanline/geometry/clipper.hpp"
+#include "spanline/geometry/polygon_assembly.hpp"
+#include "spanline/geometry/projection.hpp"
+#include "spanline/geometry/vertex_transform.hpp"
+#include "spanline/geometry/view_space.hpp"
+
+namespace spanline {
+
+/// One instance on its way to the screen: where it lies, and the way its vertices take.
+class InstanceGeometry {
+ public:
+  InstanceGeometry(const FrameView& view, const Mesh& mesh, const Transform& transform)
+      : view_(view), mesh_(mesh), transform_(view, mesh, transform), placement_(place(view, transform_)) {}
+
+  [[nodiscard]] Placement placement() const { return placement_; }
+
+  /// Every vertex of the mesh once.
+  void transform_vertices(ScreenVertex* out) const;
+
+  /// Clipping for this instance. The context refers to this object, to `clipper` and to `store`.
+  [[nodiscard]] Clipper clipper(vertex_shade::Kind shades) const { return {view_, transform_, shades}; }
+  [[nodiscard]] PolygonAssembly::ClipContext clip_context(const Clipper& clipper, VertexStore& store) const {
+    return {&clipper, &transform_, &projection_, &store};
+  }
+
+ private:
+  const FrameView& view_;
+  const Mesh& mesh_;
+  ViewTransform transform_;
+  Placement placement_;
+  PointProjection projection_{view_, transform_};
+};
+
+}  // namespace spanline

@@ -1,0 +1,187 @@
+#include "spanline/geometry/polygon_assembly.hpp"
+
+#include <algorithm>
+
+#include "spanline/geometry/vertex_transform.hpp"
+
+namespace spanline {
+namespace {
+
+/// Twice the signed area on screen, y down: negative where the corners run counter-clockwise for the viewer.
+template <bool Scissored>
+auto signed_area(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c) {
+  // Inside the viewport (at most 2,047 pixels) 32 bits hold the products; in the guard band they do not.
+  using Wide = std::conditional_t<Scissored, std::int64_t, std::int32_t>;
+  const Wide dx1 = b.x - a.x, dy1 = b.y - a.y, dx2 = c.x - a.x, dy2 = c.y - a.y;
+  return dx1 * dy2 - dx2 * dy1;
+}
+
+}  // namespace
+
+void PolygonAssembly::append(std::int32_t band, Link source) {
+  if (table_.polygon_count < table_.references.size())
+    table_.append(band, source);
+  else
+    ++polygons_wanted;
+}
+
+void PolygonAssembly::append_fan(std::int32_t band, const FanTriangle& fan) {
+  if (table_.fan_count >= table_.fans.size()) {
+    ++fans_wanted;
+    return;
+  }
+  if (table_.polygon_count >= table_.references.size()) {
+    ++polygons_wanted;
+    return;
+  }
+  table_.fans[table_.fan_count] = fan;
+  table_.append(band, static_cast<Link>(fan_flag | table_.fan_count++));
+}
+
+/// Whether a triangle without clip codes is to be drawn, and where it starts; counts it where it is not.
+template <bool Scissored>
+bool PolygonAssembly::take(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, std::int32_t& band) {
+  const auto area = signed_area<Scissored>(a, b, c);
+  if (culled(area)) {
+    ++counts.back;
+    return false;
+  }
+  if (area == 0) return false;
+  const std::int32_t ay = a.y, by = b.y, cy = c.y;
+  std::int32_t first = row_at(std::min(ay, std::min(by, cy))) - row_bias;
+  std::int32_t end = row_at(std::max(ay, std::max(by, cy))) - row_bias;
+  if constexpr (Scissored) {
+    first = std::max<std::int32_t>(first, 0);
+    end = std::min(end, viewport_.height);
+  }
+  if (first >= end) return false;  // between two rows of pixel centres
+  band = band_of_row_(first);
+  return true;
+}
+
+template <bool Scissored>
+void PolygonAssembly::run_triangles(const Mesh& mesh, const ScreenVertex* vertices, const ClipContext& clip) {
+  const std::uint16_t* index = mesh.indices.data();
+  const auto triangles = static_cast<Link>(mesh.indices.size() / 3);
+  counts.total += triangles;
+  for (Link triangle = 0; triangle < triangles; ++triangle, index += 3) {
+    const ScreenVertex& a = vertices[index[0]];
+    const ScreenVertex& b = vertices[index[1]];
+    const ScreenVertex& c = vertices[index[2]];
+    if constexpr (Scissored) {
+      const std::uint32_t all = a.depth_word & b.depth_word & c.depth_word;
+      if ((all & 0xff) != 0) {
+        ++counts.outside;
+        continue;
+      }
+      if (((a.depth_word | b.depth_word | c.depth_word) & outcode_clip) != 0) {
+        clip_triangle(mesh, clip, vertices, {index[0], index[1], index[2]}, triangle, triangle);
+        continue;
+      }
+    }
+    std::int32_t band;
+    if (take<Scissored>(a, b, c, band)) append(band, triangle);
+  }
+}
+
+void PolygonAssembly::run_polygons(const Mesh& mesh, const ScreenVertex* vertices, bool scissored,
+                                   const ClipContext& clip) {
+  const std::uint16_t* index = mesh.indices.data();
+  Link triangle = 0;
+  for (Link polygon = 0; polygon < mesh.corners.size(); ++polygon) {
+    const unsigned corners = mesh.corners[polygon];
+    for (unsigned i = 1; i + 1 < corners; ++i, ++triangle) {
+      ++counts.total;
+      const Link corner[3] = {index[0], index[i], index[i + 1]};
+      const ScreenVertex &a = vertices[corner[0]], &b = vertices[corner[1]], &c = vertices[corner[2]];
+      const std::uint32_t all = a.depth_word & b.depth_word & c.depth_word;
+      if (scissored && (all & 0xff) != 0) {
+        ++counts.outside;
+      } else if (scissored && ((a.depth_word | b.depth_word | c.depth_word) & outcode_clip) != 0) {
+        clip_triangle(mesh, clip, vertices, corner, triangle, polygon);
+      } else {
+        std::int32_t band;
+        if (take<true>(a, b, c, band)) append_fan(band, {{corner[0], corner[1], corner[2]}, triangle, polygon});
+      }
+    }
+    index += corners;
+  }
+}
+
+void PolygonAssembly::clip_triangle(const Mesh& mesh, const ClipContext& clip, const ScreenVertex* vertices,
+                                    const Link (&corner)[3], Link triangle, Link polygon) {
+  VertexStore& store = *clip.store;
+  ClipPolygon piece;
+  for (unsigned i = 0; i < 3; ++i)
+    piece.vertex[i] = {view_point(*clip.transform, mesh, corner[i]), store.shades.empty() ? 0 : store.shades[corner[i]],
+                       corner[i]};
+  piece.count = 3;
+  clip.clipper->clip(piece);
+  if (piece.count == 0) {
+    ++counts.outside;
+    return;
+  }
+  Link number[ClipPolygon{}.vertex.size()];
+  ScreenVertex screen[ClipPolygon{}.vertex.size()];
+  std::uint32_t all = 0xff;
+  for (unsigned i = 0; i < piece.count; ++i) {
+    // A vertex on the very edge of the guard band may survive although its outcode says otherwise: it is made anew.
+    const Link original = piece.vertex[i].original;
+    const bool usable = original != no_link && (vertices[original].depth_word & outcode_clip) == 0;
+    number[i] = usable ? original : no_link;
+    screen[i] = usable ? vertices[original] : clip.projection->clipped(piece.vertex[i].point);
+    all &= screen[i].depth_word;
+  }
+  if (all != 0) {
+    ++counts.outside;
+    return;
+  }
+  bool back = false, front = false;
+  for (unsigned i = 1; i + 1 < piece.count; ++i) {
+    const std::uint32_t back_before = counts.back;
+    std::int32_t band;
+    const bool drawn = take<true>(screen[0], screen[i], screen[i + 1], band);
+    back |= counts.back != back_before;
+    front |= counts.back == back_before;
+    counts.back = back_before;
+    if (!drawn) continue;
+    for (const unsigned j : {0u, i, i + 1}) {
+      if (number[j] != no_link) continue;
+      if (store.count >= store.vertices.size()) {
+        ++store.wanted_vertices;
+        continue;
+      }
+      number[j] = store.count++;
+      store.vertices[number[j]] = screen[j];
+      if (!store.shades.empty()) store.shades[number[j]] = piece.vertex[j].shade;
+    }
+    if (number[0] != no_link && number[i] != no_link && number[i + 1] != no_link)
+      append_fan(band, {{number[0], number[i], number[i + 1]}, triangle, polygon});
+  }
+  if (back && !front) ++counts.back;
+}
+
+void PolygonAssembly::run(const Mesh& mesh, const ScreenVertex* vertices, bool scissored, const ClipContext& clip) {
+  if (!mesh.corners.empty())
+    run_polygons(mesh, vertices, scissored, clip);
+  else if (scissored)
+    run_triangles<true>(mesh, vertices, clip);
+  else
+    run_triangles<false>(mesh, vertices, clip);
+}
+
+void PolygonAssembly::run_screen(std::span<const ScreenVertex> vertices) {
+  const auto triangles = static_cast<Link>(vertices.size() / 3);
+  counts.total += triangles;
+  for (Link triangle = 0; triangle < triangles; ++triangle) {
+    const ScreenVertex* v = &vertices[std::size_t{3} * triangle];
+    if ((v[0].depth_word & v[1].depth_word & v[2].depth_word & 0xff) != 0) {
+      ++counts.outside;
+      continue;
+    }
+    std::int32_t band;
+    if (take<true>(v[0], v[1], v[2], band)) append(band, triangle);
+  }
+}
+
+}  // namespace spanline

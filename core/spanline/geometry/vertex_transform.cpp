@@ -1,0 +1,150 @@
+#include "spanline/geometry/vertex_transform.hpp"
+
+#include <algorithm>
+
+#include "spanline/math/bits.hpp"
+#include "spanline/math/integer.hpp"
+#include "spanline/math/reciprocal.hpp"
+
+namespace spanline {
+namespace {
+
+constexpr int depth_range_bits = 29;  // of a distance: [1, 2^29)
+constexpr int position_bits = 30;     // of focal · x
+constexpr int low_bits = 14;          // fraction of a distance's matrix entries
+
+int bit_count(std::int64_t value) { return 64 - leading_zeros_64(static_cast<std::uint64_t>(value) | 1); }
+
+std::int64_t magnitude_64(std::int64_t v) { return v < 0 ? -v : v; }
+
+/// Modulo 2^32, as the sums it goes into.
+std::int32_t wrapped(std::int64_t value) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(static_cast<std::uint64_t>(value)));
+}
+
+}  // namespace
+
+bool VertexTransform::takes(const FrameView& view, const ViewTransform& transform, const Mesh& mesh,
+                            Placement placement) {
+  if (mesh.vertices.empty() || view.camera.projection != Projection::perspective) return false;
+  if (placement != Placement::inside && placement != Placement::unclipped) return false;
+  const std::int64_t nearest = transform.sphere_centre().z - transform.sphere_radius();
+  const std::int64_t farthest = transform.sphere_centre().z + transform.sphere_radius();
+  if (farthest > nearest * 16) return false;
+  // far / (far − near) < 4, that is near < 3/4 far
+  return transform.near_plane() < transform.far_plane() - (transform.far_plane() >> 2);
+}
+
+VertexTransform::VertexTransform(const FrameView& view, const ViewTransform& t) {
+  const std::int64_t focal = view.camera.focal.raw();
+  const ViewPoint centre = t.sphere_centre();
+  const std::int64_t radius = t.sphere_radius();
+
+  // Distance: the farthest fits 29 bits.
+  const int z_shift = bit_count(centre.z + radius) - depth_range_bits;
+  for (int j = 0; j < 3; ++j) {
+    const std::int64_t entry = shift_rounded(t.entry(2, j), t.guard() + z_shift - low_bits);
+    z_high_[j] = wrapped(entry >> low_bits);
+    z_low_[j] = static_cast<std::int32_t>(entry & ((1 << low_bits) - 1));
+  }
+  tz_ = wrapped(shift_rounded(t.translation(2), t.guard() + z_shift));
+
+  // Position: focal · the greatest |x| or |y| fits 30 bits. The shift must leave the final one in [1, 31].
+  const std::int64_t reach = std::max(magnitude_64(centre.x), magnitude_64(centre.y)) + radius;
+  const std::int64_t greatest = (((reach >> 12) * focal) >> 4) + 1;  // focal has 16 fraction bits
+  const int x_shift = std::max(bit_count(greatest) - position_bits, z_shift - 6);
+  const auto position_entry = [&](std::int64_t entry) {
+    return wrapped(shift_rounded(entry * focal, t.guard() + 16 + x_shift));
+  };
+  const auto position_offset = [&](std::int64_t translation) {
+    const std::int64_t view_units = shift_rounded(translation, t.guard());
+    return wrapped(shift_rounded((view_units >> 12) * focal, 4 + x_shift));
+  };
+  for (int j = 0; j < 3; ++j) {
+    x_[j] = position_entry(t.entry(0, j));
+    y_[j] = position_entry(-t.entry(1, j));
+  }
+  tx_ = position_offset(t.translation(0));
+  ty_ = position_offset(-t.translation(1));
+  shift_ = 25 + z_shift - x_shift;
+
+  // Depth = base − scale / z with base = (2^N − 1)·f/(f − n) and scale = base·n.
+  const std::int64_t near = t.near_plane(), range = t.far_plane() - near;
+  const int narrow = std::max(0, bit_count(t.far_plane()) - 31);
+  const auto full = static_cast<std::int64_t>((std::uint64_t{1} << view.depth_bits) - 1);
+  depth_bits_ = view.depth_bits;
+  depth_fraction_ = 27 - view.depth_bits;
+  const std::int64_t base = divide_rounded((full << depth_fraction_) * (t.far_plane() >> narrow), range >> narrow);
+  depth_base_ = static_cast<std::uint32_t>(base) + (1u << (depth_fraction_ - 1));
+  // base·n / 2^z_shift as a mantissa of 32 bits and an exponent; base < 2^29, near is brought to 31 bits.
+  const int near_shift = bit_count(near) - 31;
+  const std::int64_t near_mantissa = near_shift >= 0 ? near >> near_shift : near << -near_shift;
+  const auto product =
+      static_cast<std::uint64_t>(base) * static_cast<std::uint64_t>(near_mantissa);  // · 2^(near_shift − z_shift)
+  const int product_zeros = leading_zeros_64(product);
+  depth_scale_ = static_cast<std::uint32_t>((product << product_zeros) >> 32);
+  // scale / z = mantissa · 2^(32 − zeros + near_shift − z_shift) · 2^k · r26 / 2^54, where r26·32·mantissa / 2^32 is
+  // computed.
+  depth_shift_ = 27 - (32 - product_zeros + near_shift - z_shift);
+
+  centre_x_ = view.viewport.width * 8 + ScreenVertex::bias;
+  centre_y_ = view.viewport.height * 8 + ScreenVertex::bias;
+  right_ = view.viewport.width * 16 + ScreenVertex::bias;
+  bottom_ = view.viewport.height * 16 + ScreenVertex::bias;
+  nearest_ = static_cast<std::int32_t>(view.nearest_depth);
+  farthest_ = static_cast<std::int32_t>(view.farthest_depth);
+}
+
+template <bool WithOutcodes>
+void VertexTransform::run_all(std::span<const Vertex16> vertices, ScreenVertex* out) const {
+  const std::uint32_t depth_position = static_cast<std::uint32_t>(32 - depth_bits_);
+  for (const Vertex16& vertex : vertices) {
+    const std::uint32_t px = word(vertex.x), py = word(vertex.y), pz = word(vertex.z);
+    const std::uint32_t low = word(z_low_[0]) * px + word(z_low_[1]) * py + word(z_low_[2]) * pz;
+    const std::uint32_t distance = word(z_high_[0]) * px + word(z_high_[1]) * py + word(z_high_[2]) * pz + word(tz_) +
+                                   word(signed_word(low) >> low_bits);
+    const std::int32_t view_x = signed_word(word(x_[0]) * px + word(x_[1]) * py + word(x_[2]) * pz + word(tx_)) >> 15;
+    const std::int32_t view_y = signed_word(word(y_[0]) * px + word(y_[1]) * py + word(y_[2]) * pz + word(ty_)) >> 15;
+
+    const int normalise = leading_zeros_32(distance) - (32 - depth_range_bits);
+    const std::uint32_t z = distance << normalise;            // [2^28, 2^29)
+    const std::uint32_t reciprocal = reciprocal_16(z >> 13);  // 2^44 / z
+    const int shift = shift_ - normalise - 1;
+    const std::int32_t x = (((view_x * signed_word(reciprocal)) >> shift) + 1) >> 1;
+    const std::int32_t y = (((view_y * signed_word(reciprocal)) >> shift) + 1) >> 1;
+
+    // A second Newton step for depth: 2^54 / z with 26 bits. z·reciprocal ≈ 2^44, so its low word is the error.
+    const std::int32_t error = signed_word(0u - z * reciprocal);
+    const std::uint32_t fine = (reciprocal << 10) + word(((error >> 16) * signed_word(reciprocal)) >> 18);
+    const std::uint32_t behind = multiply_high(fine << 5, depth_scale_) >> (depth_shift_ - normalise);
+    std::int32_t depth = signed_word(depth_base_ - behind) >> depth_fraction_;
+    depth = depth < nearest_ ? nearest_ : depth > farthest_ ? farthest_ : depth;
+
+    const std::int32_t biased_x = x + centre_x_, biased_y = y + centre_y_;
+    std::uint32_t code = 0;
+    if constexpr (WithOutcodes) {
+      if (biased_x < ScreenVertex::bias) code |= outcode_left;
+      if (biased_x > right_) code |= outcode_right;
+      if (biased_y < ScreenVertex::bias) code |= outcode_top;
+      if (biased_y > bottom_) code |= outcode_bottom;
+    }
+    out->x = static_cast<std::uint16_t>(biased_x);
+    out->y = static_cast<std::uint16_t>(biased_y);
+    out->depth_word = word(depth) << depth_position | code;
+    ++out;
+  }
+}
+
+void VertexTransform::run(std::span<const Vertex16> vertices, ScreenVertex* out, bool with_outcodes) const {
+  if (with_outcodes)
+    run_all<true>(vertices, out);
+  else
+    run_all<false>(vertices, out);
+}
+
+void transform_wide(const ViewTransform& transform, const PointProjection& projection, const Mesh& mesh,
+                    ScreenVertex* out) {
+  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) out[i] = projection(view_point(transform, mesh, i));
+}
+
+}  // namespace spanline

@@ -1,0 +1,79 @@
+#include "spanline/raster/active_triangle.hpp"
+
+namespace spanline {
+namespace {
+
+template <class Depth>
+LinearFunction depth_function(const Gradients& gradients, const Triangle& t, std::int32_t row) {
+  return gradients.fit(t.a->depth<Depth>(), t.b->depth<Depth>(), t.c->depth<Depth>(), Depth::bits, row);
+}
+
+LinearFunction fit_depth(const Triangle& t, std::int64_t area, Viewport viewport, int depth_bits, std::int32_t row) {
+  const Gradients gradients(t, area, viewport);
+  return depth_bits == 16 ? depth_function<Depth16<>>(gradients, t, row) : depth_function<Depth24<>>(gradients, t, row);
+}
+
+Edge edge_between(const ScreenVertex& from, const ScreenVertex& to, std::int32_t row) {
+  Edge edge = Edge::at_row(from.x, from.y, to.x, to.y, row);
+  edge.x -= row_bias;
+  return edge;
+}
+
+}  // namespace
+
+void AttributeGradients::fit_wide(std::int32_t a, std::int32_t b, std::int32_t c, LinearFunction& function) const {
+  function = Gradients(t_, area_, viewport_).fit(a, b, c, 16, active_.row);
+  function.at_origin += function.dx * word(active_.origin);
+}
+
+void fit_wide_depth(const Triangle& t, std::int64_t area, Viewport viewport, int depth_bits, ActiveTriangle& active) {
+  active.depth = fit_depth(t, area, viewport, depth_bits, active.row);
+  active.depth.at_origin += active.depth.dx * word(active.origin);
+}
+
+bool set_up_large(Triangle& t, bool scissored, Viewport viewport, int depth_bits, ActiveTriangle& active,
+                  std::int64_t& area) {
+  area = t.wide_doubled_area();
+  if (area == 0) return false;
+  if (area < 0) {
+    t.flip();
+    area = -area;
+  }
+  const std::int32_t bottom = viewport.height + row_bias;
+  const std::int32_t row1 = row_at(t.ay + t.dy1), row2 = row_at(t.ay + t.dy2);
+  const std::int32_t first = std::max(row_at(t.ay), row_bias);
+  const std::int32_t end = std::min(std::max(row1, row2), bottom);
+  if (first >= end) return false;
+  active.right_bends = t.dy1 < t.dy2;
+  const std::int32_t bend_row = std::clamp(active.right_bends ? row1 : row2, first, end);
+  active.origin = 0;
+  active.row = static_cast<std::uint16_t>(first);
+  active.rows_to_bend = static_cast<std::uint16_t>(bend_row - first);
+  active.rows_after_bend = static_cast<std::uint16_t>(end - bend_row);
+  active.is_small = false;
+  active.bent = false;
+  active.clipped = scissored;
+  active.large = {};
+  if (active.rows_to_bend != 0) {
+    active.large.left = edge_between(*t.a, *t.c, first);
+    active.large.right = edge_between(*t.a, *t.b, first);
+  } else if (active.right_bends) {
+    active.large.left = edge_between(*t.a, *t.c, first);
+  } else {
+    active.large.right = edge_between(*t.a, *t.b, first);
+  }
+  active.depth = fit_depth(t, area, viewport, depth_bits, first);
+  return true;
+}
+
+void bend_large(const PolygonCorners& polygon, ActiveTriangle& active) {
+  Triangle t = Triangle::from(polygon.corner[0], polygon.corner[1], polygon.corner[2]);
+  if (t.wide_doubled_area() < 0) t.flip();
+  if (active.right_bends) {
+    active.large.right = edge_between(*t.b, *t.c, active.row);
+  } else {
+    active.large.left = edge_between(*t.c, *t.b, active.row);
+  }
+}
+
+}  // namespace spanline

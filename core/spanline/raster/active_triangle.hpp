@@ -1,0 +1,125 @@
+#pragma once
+#include <algorithm>
+#include <cstdint>
+
+#include "spanline/raster/depth_format.hpp"
+#include "spanline/raster/edge.hpp"
+#include "spanline/raster/gradients.hpp"
+#include "spanline/raster/linear_function.hpp"
+#include "spanline/raster/polygon_table.hpp"
+#include "spanline/raster/small_triangle.hpp"
+#include "spanline/raster/triangle.hpp"
+
+namespace spanline {
+
+/// Edges of a triangle of any size: two that are walked; the third is made when its first row comes.
+struct LargeEdges {
+  Edge left, right;
+};
+
+/// A triangle between its first row and its last: an entry of the active-edge table, with its plane equation. It is
+/// made when the triangle becomes active and lives while it is.
+struct ActiveTriangle {
+  LinearFunction depth;  ///< plane word on the current row, at column `origin`
+  union {
+    small_triangle::Edges small;
+    LargeEdges large;
+  };
+  std::int16_t origin;            ///< screen column that columns of edges and functions count from
+  std::uint16_t row;              ///< current row, biased
+  std::uint16_t rows_to_bend;     ///< rows until the left or right edge gives way to the third
+  std::uint16_t rows_after_bend;  ///< rows of the third edge
+  bool is_small;
+  bool right_bends;  ///< the third edge is on the right
+  bool bent;         ///< the third edge is in place
+  bool clipped;      ///< runs must be cut to the viewport's columns
+
+  [[nodiscard]] std::int32_t end_row() const { return row + rows_to_bend + rows_after_bend; }
+};
+
+/// Fits attribute functions for a triangle that has just been set up, by whichever of the two ways the class of the
+/// triangle and the slope allow. Made by `set_up` alone.
+class AttributeGradients {
+ public:
+  AttributeGradients(const Triangle& t, std::int64_t area, const ActiveTriangle& active,
+                     const ScreenVertex* first_vertex, Viewport viewport, const small_triangle::Gradients* small)
+      : t_(t), area_(area), active_(active), first_vertex_(first_vertex), viewport_(viewport), small_(small) {}
+
+  /// Number of a corner within its group.
+  [[nodiscard]] std::size_t index(const ScreenVertex* v) const { return static_cast<std::size_t>(v - first_vertex_); }
+
+  /// `value_of` gives a value in [0, 65535] for a corner; the function has 16 guard bits and stands at the active
+  /// triangle's row and origin.
+  template <class ValueOf>
+  void fit(ValueOf value_of, LinearFunction& function) const {
+    const std::int32_t a = value_of(t_.a), b = value_of(t_.b), c = value_of(t_.c);
+    if (small_ != nullptr && small_->fit(a, b, c, 16 * active_.row + 8 - t_.ay, function)) return;
+    fit_wide(a, b, c, function);
+  }
+
+ private:
+  void fit_wide(std::int32_t a, std::int32_t b, std::int32_t c, LinearFunction& function) const;
+
+  const Triangle& t_;
+  std::int64_t area_;
+  const ActiveTriangle& active_;
+  const ScreenVertex* first_vertex_;
+  Viewport viewport_;
+  const small_triangle::Gradients* small_;
+};
+
+/// Sets up a triangle of any size or position; of the general class. False if it has no rows in the viewport or no
+/// area.
+[[nodiscard]] bool set_up_large(Triangle& t, bool scissored, Viewport viewport, int depth_bits, ActiveTriangle& active,
+                                std::int64_t& area);
+
+/// The wide depth function of a small triangle that is too thin or too steep for the small class's precision.
+void fit_wide_depth(const Triangle& t, std::int64_t area, Viewport viewport, int depth_bits, ActiveTriangle& active);
+
+/// Puts the third edge of a large triangle in place.
+void bend_large(const PolygonCorners& polygon, ActiveTriangle& active);
+
+/// Activates a polygon: edges and plane on its first row inside the viewport. `make_surface` is called with the
+/// attribute gradients once it is certain that the triangle has rows. False if there is nothing to draw.
+template <class Depth, class MakeSurface>
+[[nodiscard]] inline bool set_up(const PolygonCorners& polygon, const PolygonGroup& group, Viewport viewport,
+                                 ActiveTriangle& active, MakeSurface make_surface) {
+  Triangle t = Triangle::from(polygon.corner[0], polygon.corner[1], polygon.corner[2]);
+  const bool scissored = group.scissored && ((t.a->depth_word | t.b->depth_word | t.c->depth_word) &
+                                             (outcode_left | outcode_right | outcode_top | outcode_bottom)) != 0;
+  if (!scissored && small_triangle::fits(t)) {
+    std::int32_t area = t.doubled_area();
+    if (area < 0) {
+      t.flip();
+      area = -area;
+    }
+    const std::int32_t first = row_at(t.ay), row1 = row_at(t.ay + t.dy1), row2 = row_at(t.ay + t.dy2);
+    const bool right_bends = t.dy1 < t.dy2;
+    const std::int32_t bend_row = right_bends ? row1 : row2;
+    const std::int32_t end = right_bends ? row2 : row1;
+    if (first >= end || area == 0) return false;
+    const std::int32_t row_offset = 16 * first + 8 - t.ay;
+    active.small = small_triangle::edges_of(t, row_offset, 16 * bend_row + 8 - t.ay - (right_bends ? t.dy1 : t.dy2));
+    active.origin = static_cast<std::int16_t>((t.ax >> 4) - row_bias - small_triangle::margin);
+    active.row = static_cast<std::uint16_t>(first);
+    active.rows_to_bend = static_cast<std::uint16_t>(bend_row - first);
+    active.rows_after_bend = static_cast<std::uint16_t>(end - bend_row);
+    active.is_small = true;
+    active.right_bends = right_bends;
+    active.bent = false;
+    active.clipped = false;
+    const small_triangle::Gradients gradients(t, word(area));
+    if (Depth::bits != 16 ||
+        !gradients.fit(t.a->depth<Depth>(), t.b->depth<Depth>(), t.c->depth<Depth>(), row_offset, active.depth))
+      fit_wide_depth(t, area, viewport, Depth::bits, active);
+    make_surface(AttributeGradients(t, area, active, group.vertices, viewport, &gradients));
+  } else {
+    std::int64_t area;
+    if (!set_up_large(t, scissored, viewport, Depth::bits, active, area)) return false;
+    make_surface(AttributeGradients(t, area, active, group.vertices, viewport, nullptr));
+  }
+  if constexpr (!Depth::smaller) active.depth = active.depth.complemented();
+  return true;
+}
+
+}  // namespace spanline

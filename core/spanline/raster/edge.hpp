@@ -1,0 +1,81 @@
+#pragma once
+#include <cstdint>
+
+#include "spanline/math/integer.hpp"
+#include "spanline/math/reciprocal.hpp"
+#include "spanline/raster/screen_vertex.hpp"
+
+namespace spanline {
+
+/// An edge that is walked down row by row: `x` is the first pixel whose centre lies at or right of it. Left edges begin
+/// a run there, right edges end it before: the top-left rule, exact for every slope.
+///
+/// At row j, with s = 16j + 8 − y0, the edge is at X = x0 + s·dx/dy sixteenths, and x = ⌈(X − 8) / 16⌉. With the floor
+/// division dx = q·dy + r this is ⌊((x0 + 8 + s·q)·dy + s·r − 1) / (16·dy)⌋. A step down adds q, and r to a running
+/// remainder.
+struct Edge {
+  std::int32_t x;          ///< first pixel of the row, in the coordinates of the end points (biased or not)
+  std::int32_t step;       ///< q
+  std::int32_t error;      ///< running remainder − dy: [−dy, 0)
+  std::int32_t remainder;  ///< r in [0, dy)
+  std::int32_t height;     ///< dy in sixteenths
+
+  /// The edge from (x0, y0) down to (x1, y1), y0 < y1, in sixteenths of a pixel, placed at `row` (any row, above or
+  /// below).
+  [[nodiscard]] static Edge at_row(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1,
+                                   std::int32_t row) {
+    const std::int32_t dx = x1 - x0;
+    const std::int32_t dy = y1 - y0;
+    Edge edge;
+    edge.height = dy;
+    edge.step = signed_word(divide_16(magnitude(dx), word(dy)));
+    edge.remainder = signed_word(magnitude(dx)) - edge.step * dy;
+    if (dx < 0) {
+      edge.step = -edge.step;
+      if (edge.remainder != 0) {
+        --edge.step;
+        edge.remainder = dy - edge.remainder;
+      }
+    }
+    const std::int32_t s = 16 * row + 8 - y0;
+    const std::int32_t whole = x0 + 8 + s * edge.step;
+    edge.x = whole >> 4;
+    if (s >= 0 && s <= 16) {  // the edge's own first row: every term is small
+      edge.place((whole & 15) * dy + s * edge.remainder - 1);
+    } else {
+      edge.place_far(static_cast<std::int64_t>(whole & 15) * dy + static_cast<std::int64_t>(s) * edge.remainder - 1);
+    }
+    return edge;
+  }
+
+  void next_row() {
+    x += step;
+    error += remainder;
+    if (error >= 0) {
+      error -= height;
+      ++x;
+    }
+  }
+
+ private:
+  /// `rest` sixteenths·dy past pixel `x`, in [−1, 32·dy).
+  void place(std::int32_t rest) {
+    const std::int32_t pixel = 16 * height;
+    if (rest < 0) {
+      --x;
+      rest += pixel;
+    }
+    while (rest >= pixel) {
+      ++x;
+      rest -= pixel;
+    }
+    error = (rest >> 4) - height;
+  }
+  void place_far(std::int64_t rest) {
+    const FloorDivision division = floor_divide(rest, static_cast<std::int64_t>(16) * height);
+    x += static_cast<std::int32_t>(division.quotient);
+    error = static_cast<std::int32_t>(division.remainder >> 4) - height;
+  }
+};
+
+}  // namespace spanline

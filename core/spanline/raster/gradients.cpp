@@ -1,0 +1,98 @@
+#include "spanline/raster/gradients.hpp"
+
+#include <algorithm>
+
+#include "spanline/math/integer.hpp"
+#include "spanline/math/reciprocal.hpp"
+
+namespace spanline {
+namespace {
+
+constexpr std::int32_t largest_fast_extent = 512 * 16;  // sixteenths
+constexpr int extra_bits = 6;                           // of a fast slope, for the way from vertex to anchor
+constexpr std::int32_t exact = 0;                       // normalising shift that stands for "take the exact way"
+
+/// The middle of [low, high) ∩ [0, size) pixels, or the pixel of the range that is nearest to the viewport.
+std::int32_t middle(std::int32_t low, std::int32_t high, std::int32_t size) {
+  const std::int32_t first = std::clamp<std::int32_t>(low, 0, size - 1);
+  const std::int32_t last = std::clamp<std::int32_t>(high, 0, size - 1);
+  return (first + last) >> 1;
+}
+
+}  // namespace
+
+Gradients::Gradients(const Triangle& triangle, std::int64_t area, Viewport viewport)
+    : triangle_(triangle), area_(area) {
+  const auto [low_x, high_x] = std::minmax({std::int32_t{0}, triangle.dx1, triangle.dx2});
+  const std::int32_t high_y = std::max(triangle.dy1, triangle.dy2);
+  anchor_x_ = middle(row_at(triangle.ax + low_x) - row_bias, row_at(triangle.ax + high_x) - row_bias, viewport.width);
+  anchor_y_ =
+      row_bias + middle(row_at(triangle.ay) - row_bias, row_at(triangle.ay + high_y) - row_bias, viewport.height);
+  if (high_x - low_x > largest_fast_extent || high_y > largest_fast_extent) return;
+  const auto narrow = static_cast<std::uint32_t>(area);  // at most 2^13·2^13
+  normalising_shift_ = leading_zeros_32(narrow);
+  inverse_ = reciprocal_32(narrow << normalising_shift_);
+}
+
+bool Gradients::fast_slope(std::int64_t numerator, int guard_bits, std::int32_t& slope) const {
+  if (numerator == 0) {
+    slope = 0;
+    return true;
+  }
+  const auto absolute = static_cast<std::uint64_t>(numerator < 0 ? -numerator : numerator);
+  const int zeros = leading_zeros_64(absolute);
+  const auto normalised = static_cast<std::uint32_t>((absolute << zeros) >> 32);
+  // normalised · inverse / 2^32 = |n|/area · 2^(zeros − 32 + 30 − normalising shift); wanted: · 2^(4 + guard + extra)
+  const int shift = zeros - 2 - normalising_shift_ - (4 + guard_bits + extra_bits);
+  // |slope| < 2^(31 − shift): at least 2 leaves 2^29, and with it 2^23 guard units a pixel.
+  if (shift < 2) return false;
+  if (shift > 31) {
+    slope = 0;
+    return true;
+  }
+  const std::uint32_t rounded = ((multiply_high(normalised, inverse_) >> (shift - 1)) + 1) >> 1;
+  slope = numerator < 0 ? -signed_word(rounded) : signed_word(rounded);
+  return true;
+}
+
+LinearFunction Gradients::fit(std::int32_t value_a, std::int32_t value_b, std::int32_t value_c, int bits,
+                              std::int32_t row) const {
+  const Triangle& t = triangle_;
+  const int guard_bits = 32 - bits;
+  const std::int32_t d1 = value_b - value_a;
+  const std::int32_t d2 = value_c - value_a;
+  LinearFunction function;
+  const std::uint32_t base = (word(value_a) << guard_bits) + (1u << (guard_bits - 1));
+  if ((d1 | d2) == 0) {
+    function.at_origin = base;
+    return function;
+  }
+  const std::int64_t nx = static_cast<std::int64_t>(d1) * t.dy2 - static_cast<std::int64_t>(d2) * t.dy1;
+  const std::int64_t ny = static_cast<std::int64_t>(d2) * t.dx1 - static_cast<std::int64_t>(d1) * t.dx2;
+  const std::int32_t to_anchor_x = 16 * (anchor_x_ + row_bias) + 8 - t.ax;
+  const std::int32_t to_anchor_y = 16 * anchor_y_ + 8 - t.ay;
+  std::int32_t fine_dx = 0, fine_dy = 0;
+  std::uint32_t at_anchor;
+  if (normalising_shift_ != exact && fast_slope(nx, guard_bits, fine_dx) && fast_slope(ny, guard_bits, fine_dy)) {
+    function.dx = word((fine_dx + (1 << (extra_bits - 1))) >> extra_bits);
+    function.dy = word((fine_dy + (1 << (extra_bits - 1))) >> extra_bits);
+    const std::int64_t way =
+        static_cast<std::int64_t>(fine_dx) * to_anchor_x + static_cast<std::int64_t>(fine_dy) * to_anchor_y;
+    at_anchor = base + static_cast<std::uint32_t>(static_cast<std::uint64_t>(way >> (4 + extra_bits)));
+  } else {
+    const auto slope = [&](std::int64_t n) {
+      return static_cast<std::uint32_t>(
+          static_cast<std::uint64_t>(divide_rounded(n * (std::int64_t{1} << (4 + guard_bits)), area_)));
+    };
+    function.dx = slope(nx);
+    function.dy = slope(ny);
+    const FloorDivision way = floor_divide(nx * to_anchor_x + ny * to_anchor_y, area_);
+    const auto whole = static_cast<std::uint32_t>(static_cast<std::uint64_t>(way.quotient)) << guard_bits;
+    const std::int64_t rest = divide_rounded(way.remainder * (std::int64_t{1} << guard_bits), area_);
+    at_anchor = base + whole + static_cast<std::uint32_t>(rest);
+  }
+  function.at_origin = at_anchor - function.dx * word(anchor_x_) + function.dy * word(row - anchor_y_);
+  return function;
+}
+
+}  // namespace spanline

@@ -1,0 +1,119 @@
+#pragma once
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <type_traits>
+
+#include "spanline/raster/screen_vertex.hpp"
+
+namespace spanline {
+
+/// Numbers of polygons and vertices inside a frame: 16 bits on microcontrollers (65,534 polygons), 32 bits where
+/// pointers have 64.
+using Link = std::conditional_t<(sizeof(void*) > 4), std::uint32_t, std::uint16_t>;
+inline constexpr Link no_link = std::numeric_limits<Link>::max();
+/// Set in PolygonReference::source if the low bits number a FanTriangle.
+inline constexpr Link fan_flag = static_cast<Link>(Link{1} << (std::numeric_limits<Link>::digits - 1));
+
+/// One polygon of the polygon table, in order of submission.
+struct PolygonReference {
+  Link
+      next;  ///< the next polygon that starts in the same band, in order of submission; the last one links to the first
+  Link source;  ///< triangle number within its group, or fan_flag | number of its FanTriangle
+};
+
+/// A triangle whose corners stand nowhere else: a piece of a clipped triangle, or of the fan of a larger polygon.
+struct FanTriangle {
+  Link corner[3];  ///< vertex numbers within the group
+  Link triangle;   ///< triangle number within the group: whose normal, colour and id it has
+  Link polygon;    ///< polygon number within the mesh: whose normal and colour it has
+};
+
+/// Polygons that share a vertex array: an instance of a mesh, or triangles given on screen.
+struct PolygonGroup {
+  const ScreenVertex* vertices = nullptr;
+  const std::uint16_t* indices = nullptr;  ///< three a triangle; null: triangle i has vertices 3i, 3i + 1, 3i + 2
+  Link first = 0;                          ///< number of its first polygon
+  std::uint32_t first_id = 0;              ///< id of its triangle 0
+  bool scissored = false;                  ///< whether a polygon may leave the viewport
+};
+
+/// A polygon as found in the table.
+struct PolygonCorners {
+  const ScreenVertex* corner[3];
+  Link triangle;  ///< triangle number within the group
+  Link polygon;   ///< polygon number within the mesh
+};
+
+/// The polygon table PT with the starts of the edge table ET: the polygons of a frame in order of submission, and for
+/// each band of lines those that start there. It lies in the caller's memory and owns none.
+class PolygonTable {
+ public:
+  std::span<PolygonReference> references;
+  std::span<FanTriangle> fans;
+  std::span<PolygonGroup> groups;
+  std::span<Link> buckets;  ///< for each band the last polygon that starts there; its `next` is the first
+  Link polygon_count = 0;
+  Link fan_count = 0;
+  Link group_count = 0;
+
+  void clear() {
+    polygon_count = fan_count = group_count = 0;
+    for (Link& bucket : buckets) bucket = no_link;
+  }
+
+  /// Appends a polygon that starts in `band`. The caller has checked that there is room.
+  void append(std::int32_t band, Link source) {
+    const Link number = polygon_count++;
+    PolygonReference& reference = references[number];
+    Link& tail = buckets[static_cast<std::size_t>(band)];
+    reference.source = source;
+    if (tail == no_link) {
+      reference.next = number;
+    } else {
+      reference.next = references[tail].next;
+      references[tail].next = number;
+    }
+    tail = number;
+  }
+
+  /// The group of a polygon, looked for from `group` on.
+  [[nodiscard]] Link group_of(Link polygon, Link group = 0) const {
+    while (group + 1 < group_count && groups[group + 1u].first <= polygon) ++group;
+    return group;
+  }
+
+  [[nodiscard]] PolygonCorners corners(const PolygonGroup& group, Link polygon) const {
+    const Link source = references[polygon].source;
+    const ScreenVertex* v = group.vertices;
+    if (source & fan_flag) {
+      const FanTriangle& fan = fans[source & static_cast<Link>(~fan_flag)];
+      return {{v + fan.corner[0], v + fan.corner[1], v + fan.corner[2]}, fan.triangle, fan.polygon};
+    }
+    if (group.indices == nullptr) {
+      v += std::size_t{3} * source;
+      return {{v, v + 1, v + 2}, source, source};
+    }
+    const std::uint16_t* index = group.indices + std::size_t{3} * source;
+    return {{v + index[0], v + index[1], v + index[2]}, source, source};
+  }
+};
+
+/// Walks a band's bucket in order of submission.
+class BucketCursor {
+ public:
+  BucketCursor(const PolygonTable& table, std::int32_t band)
+      : references_(table.references.data()),
+        last_(table.buckets[static_cast<std::size_t>(band)]),
+        polygon_(last_ == no_link ? no_link : references_[last_].next) {}
+  /// The current polygon, or no_link at the end.
+  [[nodiscard]] Link polygon() const { return polygon_; }
+  void advance() { polygon_ = polygon_ == last_ ? no_link : references_[polygon_].next; }
+
+ private:
+  const PolygonReference* references_;
+  Link last_;
+  Link polygon_;
+};
+
+}  // namespace spanline

@@ -1,0 +1,113 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "spanline/math/reciprocal.hpp"
+#include "spanline/raster/linear_function.hpp"
+#include "spanline/raster/triangle.hpp"
+
+namespace spanline {
+
+/// Triangles up to 16 × 16 pixels: most of what a model on a small display is made of, and worth a set-up of their own
+/// with 32-bit products, table reciprocals and no divide.
+namespace small_triangle {
+
+inline constexpr std::int32_t reach = 128;       ///< greatest |dx| from the top vertex, sixteenths
+inline constexpr std::int32_t max_height = 255;  ///< greatest dy, sixteenths
+inline constexpr unsigned max_run = 17;          ///< pixels in a row at most
+/// Columns between the column of origin and the top vertex's pixel: all of the triangle lies right of the origin.
+inline constexpr std::int32_t margin = 9;
+
+/// Whether the class takes the triangle. Its doubled area is at most 2·128·255 < 2^16.
+[[nodiscard]] inline bool fits(const Triangle& t) {
+  return word(t.dx1 + reach) <= 2 * reach && word(t.dx2 + reach) <= 2 * reach && word(t.dy1 | t.dy2) <= max_height;
+}
+
+/// round(2^26 / d): slopes without a divide.
+inline constexpr std::array<std::uint32_t, max_height + 1> reciprocal_q26 = [] {
+  std::array<std::uint32_t, max_height + 1> table{};
+  for (std::uint32_t d = 1; d <= max_height; ++d) table[d] = ((1u << 26) + d / 2) / d;
+  return table;
+}();
+
+/// Both edges of a triangle as fixed-point columns, Q6.26 modulo 64 pixels, counted from the column of origin. An edge
+/// crosses a pixel centre at multiples of 1/(16·dy) pixel, at least 2^-12; slope and start are within 2^-14 together
+/// over 16 rows; the start is lowered by 2^-13, so that the integer part is always that of the exact edge (tested
+/// exhaustively in dx and dy).
+struct Edges {
+  std::uint32_t left, right;            ///< columns of the current row
+  std::uint32_t left_step, right_step;  ///< slopes
+  std::uint32_t bend, bend_step;        ///< the third edge: replaces the left or the right one at its first row
+};
+
+[[nodiscard]] constexpr std::uint32_t column(std::uint32_t q26) { return q26 >> 26; }
+
+/// Gradients of the quantities of a small triangle: 16-bit values with 16 guard bits, good to 0.2 units over the
+/// triangle, or refused.
+class Gradients {
+ public:
+  explicit Gradients(const Triangle& t, std::uint32_t area) : triangle_(t), shift_(leading_zeros_16(area)) {
+    inverse_ = signed_word(reciprocal_16(area << shift_));
+  }
+
+  /// The linear function through a, b, c (values in [0, 65535]) with ½ added, on row `first_row`; false where the
+  /// triangle is too thin or the slope too steep for this precision, and the wide set-up must take it. The column of
+  /// origin is `margin` left of a's pixel.
+  [[nodiscard]] bool fit(std::int32_t value_a, std::int32_t value_b, std::int32_t value_c, std::int32_t row_offset,
+                         LinearFunction& function) const {
+    if (shift_ > thinnest) return false;
+    const Triangle& t = triangle_;
+    const std::int32_t d1 = value_b - value_a;
+    const std::int32_t d2 = value_c - value_a;
+    // 2^20·n/area per pixel in 16.16 (16 sixteenths a pixel); with inverse = 2^31/(area·2^shift) the shift is left
+    // over.
+    const std::int32_t dx = scaled((d1 * t.dy2 - d2 * t.dy1) * 32);
+    const std::int32_t dy = scaled((t.dx1 * d2 - t.dx2 * d1) * 32);
+    if ((magnitude(dx) + magnitude(dy)) >> (steepest_log2 - shift_) != 0) return false;
+    function.dx = word(dx) << shift_;
+    function.dy = word(dy) << shift_;
+    const std::int32_t to_centre_x = 8 - (t.ax & 15);
+    function.at_origin = (word(value_a) << 16) + 0x8000u - function.dx * margin +
+                         word(signed_word(function.dx * word(to_centre_x) + function.dy * word(row_offset)) >> 4);
+    return true;
+  }
+
+ private:
+  static constexpr int thinnest = 8;        ///< doubled area below 2^7 square sixteenths is too thin
+  static constexpr int steepest_log2 = 24;  ///< slopes of 256 units a pixel and more are too steep
+
+  /// (n·inverse) >> 16 by 32-bit products; |n| < 2^31.
+  [[nodiscard]] std::int32_t scaled(std::int32_t n) const {
+    return (n >> 16) * inverse_ + signed_word(((word(n) & 0xffffu) * word(inverse_)) >> 16);
+  }
+
+  const Triangle& triangle_;
+  int shift_;
+  std::int32_t inverse_;
+};
+
+/// The two edges from the top vertex and the one that follows, for a triangle that `fits`. `row_offset` is the distance
+/// from a down to the centre of the first row, sixteenths in [1, 16]; the rows of the bend are counted by the caller.
+[[nodiscard]] inline Edges edges_of(const Triangle& t, std::int32_t row_offset, std::int32_t bend_row_offset) {
+  const std::uint32_t start = (word(t.ax & 15) << 22) + ((margin * 16 + 8u) << 22) - (1u << 13);
+  const auto edge = [](std::int32_t dx, std::int32_t offset, std::uint32_t inverse) {
+    return word(offset * dx) * (inverse >> 4);  // offset/16 rows of slope dx·2^26/dy
+  };
+  Edges edges;
+  const std::uint32_t inverse2 = reciprocal_q26[word(t.dy2)];
+  edges.left_step = word(t.dx2) * inverse2;
+  edges.left = start + edge(t.dx2, row_offset, inverse2);
+  const std::uint32_t inverse1 = reciprocal_q26[word(t.dy1)];
+  edges.right_step = word(t.dx1) * inverse1;
+  edges.right = start + edge(t.dx1, row_offset, inverse1);
+  const bool right_bends = t.dy1 < t.dy2;
+  const std::int32_t dx3 = right_bends ? t.dx2 - t.dx1 : t.dx1 - t.dx2;
+  const std::int32_t dy3 = right_bends ? t.dy2 - t.dy1 : t.dy1 - t.dy2;
+  const std::uint32_t inverse3 = reciprocal_q26[word(dy3)];
+  edges.bend_step = word(dx3) * inverse3;
+  edges.bend = start + (word(right_bends ? t.dx1 : t.dx2) << 22) + edge(dx3, bend_row_offset, inverse3);
+  return edges;
+}
+
+}  // namespace small_triangle
+}  // namespace spanline

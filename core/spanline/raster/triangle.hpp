@@ -1,0 +1,51 @@
+#pragma once
+#include <cstdint>
+#include <utility>
+
+#include "spanline/raster/screen_vertex.hpp"
+
+namespace spanline {
+
+/// A triangle as the rasteriser takes it: `a` is a topmost vertex, and b → c runs so that a → b is on the right and a →
+/// c on the left (clockwise on screen, y down). Differences in sixteenths of a pixel, |d| ≤ 65,535.
+struct Triangle {
+  const ScreenVertex* a;
+  const ScreenVertex* b;
+  const ScreenVertex* c;
+  std::int32_t ax, ay;    ///< biased position of a
+  std::int32_t dx1, dy1;  ///< b − a; dy1 ≥ 0
+  std::int32_t dx2, dy2;  ///< c − a; dy2 ≥ 0
+
+  /// Puts the topmost vertex first and keeps the orientation.
+  [[nodiscard]] static inline Triangle from(const ScreenVertex* p, const ScreenVertex* q, const ScreenVertex* r) {
+    if (q->y < p->y) {
+      if (r->y < q->y) {
+        std::swap(p, r);
+        std::swap(q, r);
+      } else {
+        std::swap(p, q);
+        std::swap(q, r);
+      }
+    } else if (r->y < p->y) {
+      std::swap(p, r);
+      std::swap(q, r);
+    }
+    const std::int32_t ax = p->x, ay = p->y;
+    return {p, q, r, ax, ay, q->x - ax, q->y - ay, r->x - ax, r->y - ay};
+  }
+
+  /// Twice the signed area in square sixteenths; positive for clockwise. Only where |d| < 2^15.
+  [[nodiscard]] std::int32_t doubled_area() const { return dx1 * dy2 - dx2 * dy1; }
+  [[nodiscard]] std::int64_t wide_doubled_area() const {
+    return static_cast<std::int64_t>(dx1) * dy2 - static_cast<std::int64_t>(dx2) * dy1;
+  }
+
+  /// Exchanges b and c: the other orientation.
+  void flip() {
+    std::swap(b, c);
+    std::swap(dx1, dx2);
+    std::swap(dy1, dy2);
+  }
+};
+
+}  // namespace spanline

@@ -1,0 +1,43 @@
+#pragma once
+#include <cstdint>
+
+namespace spanline {
+
+/// What a vertex carries for interpolated shading: one word, either an intensity or a colour.
+///
+/// Values keep off the ends of their range, so that the rounding of an interpolated plane cannot wrap.
+namespace vertex_shade {
+
+enum class Kind : std::uint8_t {
+  intensity,  ///< 1/65536 of full light, [2, 65533]
+  colour,     ///< a lit colour: 11 bits of red, 11 of green, 10 of blue, from the top
+};
+
+inline constexpr std::uint32_t lowest_intensity = 2, highest_intensity = 65533;
+
+/// Channels of 11, 11 and 10 bits, each in [1, 2^bits − 2].
+[[nodiscard]] constexpr std::uint32_t pack(std::uint32_t red, std::uint32_t green, std::uint32_t blue) {
+  return red << 21 | green << 10 | blue;
+}
+/// Channels as 16-bit values for interpolation.
+[[nodiscard]] constexpr std::int32_t red_16(std::uint32_t shade) { return static_cast<std::int32_t>(shade >> 21) << 5; }
+[[nodiscard]] constexpr std::int32_t green_16(std::uint32_t shade) {
+  return static_cast<std::int32_t>((shade >> 10) & 2047) << 5;
+}
+[[nodiscard]] constexpr std::int32_t blue_16(std::uint32_t shade) {
+  return static_cast<std::int32_t>(shade & 1023) << 6;
+}
+
+/// from + (to − from)·t, t in Q31 of [0, 1].
+[[nodiscard]] constexpr std::uint32_t mix_word(std::uint32_t from, std::uint32_t to, std::uint32_t t) {
+  const std::int64_t difference = static_cast<std::int64_t>(to) - static_cast<std::int64_t>(from);
+  return from + static_cast<std::uint32_t>(static_cast<std::uint64_t>((difference * t) >> 31));
+}
+[[nodiscard]] constexpr std::uint32_t mix(Kind kind, std::uint32_t from, std::uint32_t to, std::uint32_t t) {
+  if (kind == Kind::intensity) return mix_word(from, to, t);
+  return pack(mix_word(from >> 21, to >> 21, t), mix_word((from >> 10) & 2047, (to >> 10) & 2047, t),
+              mix_word(from & 1023, to & 1023, t));
+}
+
+}  // namespace vertex_shade
+}  // namespace spanline

@@ -1,0 +1,34 @@
+#include "spanline/shade/lighting.hpp"
+
+#include <algorithm>
+
+#include "spanline/math/matrix.hpp"
+#include "spanline/shade/gouraud.hpp"
+
+namespace spanline {
+
+void set_lights(const Lighting& lighting, const Transform& transform, ShadingGroup& group) {
+  group.ambient = static_cast<std::uint16_t>(std::clamp<std::int32_t>(lighting.ambient.raw(), 0, 65535));
+  group.light_count = static_cast<std::uint8_t>(std::min(lighting.lights.size(), Lighting::max_lights));
+  for (unsigned i = 0; i < group.light_count; ++i) {
+    const DirectionalLight& light = lighting.lights[i];
+    const Direction towards_model = transform.rotation.transposed() * light.towards;
+    // A packed normal of length 511 and six bits that are shifted out again.
+    const auto component = [&](Q2_30 c) {
+      return static_cast<std::int32_t>(multiply<Fixed<16>>(c, light.intensity).raw() * std::int64_t{64} / 511);
+    };
+    group.lights[i] = {component(towards_model.x), component(towards_model.y), component(towards_model.z)};
+  }
+}
+
+void shade_vertices(const Mesh& mesh, const ShadingGroup& group, std::uint32_t* shades) {
+  const std::size_t count = mesh.vertex_count();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Intensity intensity =
+        mesh.vertex_normals.empty() ? Intensity{65535} : group.intensity(mesh.vertex_normals[i]);
+    shades[i] = mesh.vertex_colours.empty() ? gouraud::shade_of(intensity)
+                                            : gouraud::shade_of(mesh.vertex_colours[i], intensity);
+  }
+}
+
+}  // namespace spanline

@@ -1,0 +1,19 @@
+#pragma once
+#include "spanline/shade/flat.hpp"
+
+namespace spanline {
+
+/// Writes the number of the triangle that owns a pixel: item buffers for --ids-out, statistics and tests. It stands in
+/// for every shading mode.
+struct IdShader {
+  using Pixel = PolygonIds::Pixel;
+  using Source = FlatShader<PolygonIds>::Source;
+  using Surface = FlatShader<PolygonIds>::Surface;
+
+  template <class Gradients>
+  static void make(Surface& surface, const ShadingGroup& group, const PolygonCorners& polygon, const Gradients&) {
+    surface.pixel = 1 + group.first_id + polygon.triangle;
+  }
+};
+
+}  // namespace spanline

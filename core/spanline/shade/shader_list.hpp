@@ -1,0 +1,51 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <type_traits>
+
+namespace spanline {
+
+/// The shaders that a renderer links. A polygon's surface is stored in the room of the largest; with one shader the
+/// choice costs nothing.
+template <class... Shaders>
+struct ShaderList {
+  static constexpr std::size_t count = sizeof...(Shaders);
+  static_assert(count > 0);
+
+  struct Surface {
+    alignas(std::max(
+        {alignof(typename Shaders::Surface)...})) std::byte bytes[std::max({sizeof(typename Shaders::Surface)...})];
+    template <class S>
+    [[nodiscard]] S& as() {
+      return *std::launder(reinterpret_cast<S*>(bytes));
+    }
+  };
+
+  /// Place of a shader in the list; `count` if it is not there.
+  template <class Shader>
+  static constexpr std::uint8_t index_of = [] {
+    std::uint8_t i = 0;
+    const bool found = ((std::is_same_v<Shader, Shaders> || (++i, false)) || ...);
+    return found ? i : static_cast<std::uint8_t>(count);
+  }();
+
+  /// Calls f.template operator()<Shader>() for the shader at `index`.
+  template <class F>
+  static inline auto with(std::uint8_t index, F&& f) {
+    return with_from<F, Shaders...>(index, f);
+  }
+
+ private:
+  template <class F, class First, class... Rest>
+  static inline auto with_from(std::uint8_t index, F& f) {
+    if constexpr (sizeof...(Rest) == 0)
+      return f.template operator()<First>();
+    else
+      return index == 0 ? f.template operator()<First>()
+                        : with_from<F, Rest...>(static_cast<std::uint8_t>(index - 1), f);
+  }
+};
+
+}  // namespace spanline

@@ -1,0 +1,45 @@
+#pragma once
+#include <cstdint>
+
+#include "spanline/model/light.hpp"
+#include "spanline/model/mesh.hpp"
+#include "spanline/shade/pixel_format.hpp"
+
+namespace spanline {
+
+/// A light as one group sees it: turned into the mesh's own axes and scaled, so that a packed normal gives an
+/// intensity by three products.
+struct ModelLight {
+  std::int32_t x, y, z;  ///< light·intensity · 65536 · 64 / 511
+
+  /// Intensity (1/65536) that falls on a packed normal; negative if it faces away.
+  [[nodiscard]] std::int32_t on(PackedNormal normal) const {
+    return (normal.x() * x + normal.y() * y + normal.z() * z) >> 6;
+  }
+};
+
+/// What shaders need to know of a group of polygons.
+struct ShadingGroup {
+  const Mesh* mesh = nullptr;                     ///< null for triangles given on screen
+  const std::uint16_t* screen_colours = nullptr;  ///< RGB565, one a triangle, for triangles given on screen
+  const std::uint32_t* vertex_shades = nullptr;   ///< Gouraud: one a vertex (gouraud.hpp)
+  const std::uint16_t* ramp = nullptr;            ///< Gouraud without vertex colours: 64 pixels
+  std::uint32_t first_id = 0;                     ///< id of the group's triangle 0
+  LitColour colour{};                             ///< the material's
+  std::uint16_t ambient = 65535;                  ///< 1/65536
+  std::uint8_t light_count = 0;
+  std::uint8_t shader = 0;  ///< place in the renderer's list of shaders
+  ModelLight lights[Lighting::max_lights] = {};
+
+  /// min(1, ambient + Σ max(0, n·l)), 1/65536.
+  [[nodiscard]] Intensity intensity(PackedNormal normal) const {
+    std::int32_t sum = ambient;
+    for (unsigned i = 0; i < light_count; ++i) {
+      const std::int32_t light = lights[i].on(normal);
+      if (light > 0) sum += light;
+    }
+    return sum > 65535 ? 65535 : static_cast<Intensity>(sum);
+  }
+};
+
+}  // namespace spanline

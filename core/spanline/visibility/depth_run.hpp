@@ -1,0 +1,213 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#if defined(__ARM_FEATURE_SIMD32)
+#include <arm_acle.h>
+#endif
+
+namespace spanline {
+
+/// Runs of pixels against a depth buffer: the inner loops of the z-buffers.
+///
+/// A pixel source (shade/) gives the pixel under it; this file never looks into one. `z` is the plane word at the first
+/// pixel and `dz` its step to the right.
+template <class Depth, class Pixel>
+struct DepthRun {
+  using Word = typename Depth::Word;
+
+  /// One pixel: written where it is nearer.
+  template <class Source>
+  static inline void pixel(Word* depth, Pixel* pixels, std::size_t i, std::uint32_t z, const Source& source) {
+    const std::uint32_t candidate = Depth::stored(z);
+    if (Depth::hides(candidate, depth[i])) {
+      keep_branch();
+      depth[i] = static_cast<Word>(candidate);
+      pixels[i] = source.get();
+    }
+  }
+
+  /// 1 … 17 pixels, walked from right to left by a jump into straight code: no loop, no tail.
+  /// `z` and `source` stand at the last pixel.
+  template <class Source>
+  static inline void short_run(Word* depth, Pixel* pixels, std::uint32_t count, std::uint32_t z, std::uint32_t dz,
+                               Source source) {
+    const auto step = [&](std::size_t i) __attribute__((always_inline)) {
+      pixel(depth, pixels, i, z, source);
+      z -= dz;
+      source.back();
+    };
+    switch (count) {
+      case 17:
+        step(16);
+        [[fallthrough]];
+      case 16:
+        step(15);
+        [[fallthrough]];
+      case 15:
+        step(14);
+        [[fallthrough]];
+      case 14:
+        step(13);
+        [[fallthrough]];
+      case 13:
+        step(12);
+        [[fallthrough]];
+      case 12:
+        step(11);
+        [[fallthrough]];
+      case 11:
+        step(10);
+        [[fallthrough]];
+      case 10:
+        step(9);
+        [[fallthrough]];
+      case 9:
+        step(8);
+        [[fallthrough]];
+      case 8:
+        step(7);
+        [[fallthrough]];
+      case 7:
+        step(6);
+        [[fallthrough]];
+      case 6:
+        step(5);
+        [[fallthrough]];
+      case 5:
+        step(4);
+        [[fallthrough]];
+      case 4:
+        step(3);
+        [[fallthrough]];
+      case 3:
+        step(2);
+        [[fallthrough]];
+      case 2:
+        step(1);
+        [[fallthrough]];
+      case 1:
+        pixel(depth, pixels, 0, z, source);
+        break;
+      default:
+        __builtin_unreachable();
+    }
+  }
+
+  /// Any number of pixels ≥ 1; `z` and `source` stand at the first.
+  template <class Source>
+  static inline void run(Word* depth, Pixel* pixels, std::uint32_t count, std::uint32_t z, std::uint32_t dz,
+                         Source source) {
+    if constexpr (pairs_fit<Source>) {
+      if (count > block) return pair_run(depth, pixels, count, z, dz, source);
+    }
+    for (; count > block; count -= block) {
+#pragma GCC unroll 16
+      for (std::size_t i = 0; i < block; ++i) {
+        pixel(depth, pixels, i, z, source);
+        z += dz;
+        source.forward();
+      }
+      depth += block;
+      pixels += block;
+    }
+    short_run_from_left(depth, pixels, count, z, dz, source);
+  }
+
+  /// A run of constant depth and pixel: nothing is stepped.
+  static inline void constant_run(Word* depth, Pixel* pixels, std::uint32_t count, std::uint32_t z, Pixel colour) {
+    const std::uint32_t candidate = Depth::stored(z);
+    const auto put = [&](std::size_t i) __attribute__((always_inline)) {
+      if (Depth::hides(candidate, depth[i])) {
+        keep_branch();
+        depth[i] = static_cast<Word>(candidate);
+        pixels[i] = colour;
+      }
+    };
+    for (; count >= block; count -= block) {
+#pragma GCC unroll 16
+      for (std::size_t i = 0; i < block; ++i) put(i);
+      depth += block;
+      pixels += block;
+    }
+    for (; count != 0; --count) {
+      put(0);
+      ++depth;
+      ++pixels;
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t block = 16;
+
+  /// Keeps a rejected pixel a branch around its stores: Thumb-2 compilers would make it predicated stores, which cost
+  /// the reject as much as the write.
+  static inline void keep_branch() {
+#if defined(__thumb2__)
+    __asm__ volatile("");
+#endif
+  }
+
+  template <class Source>
+  static inline void short_run_from_left(Word* depth, Pixel* pixels, std::uint32_t count, std::uint32_t z,
+                                         std::uint32_t dz, Source& source) {
+    if constexpr (Source::constant) {
+      short_run(depth, pixels, count, z + dz * (count - 1), dz, source);
+    } else {
+      for (std::size_t i = 0; i < count; ++i) {
+        pixel(depth, pixels, i, z, source);
+        z += dz;
+        source.forward();
+      }
+    }
+  }
+
+#if defined(__ARM_FEATURE_SIMD32)
+  /// Whether two pixels can be decided at once: USUB16 compares two 16-bit depths, SEL picks the survivors.
+  template <class Source>
+  static constexpr bool pairs_fit = Source::constant && sizeof(Word) == 2 && sizeof(Pixel) == 2 && Depth::smaller;
+
+  template <class Source>
+  static inline void pair_run(Word* depth, Pixel* pixels, std::uint32_t count, std::uint32_t z, std::uint32_t dz,
+                              const Source& source) {
+    if (reinterpret_cast<std::uintptr_t>(depth) & 2) {
+      pixel(depth, pixels, 0, z, source);
+      z += dz;
+      ++depth;
+      ++pixels;
+      --count;
+    }
+    const std::uint32_t both_pixels = source.get() * 0x10001u;
+    std::uint32_t z_right = z + dz;
+    const std::uint32_t two = 2 * dz;
+    const auto pair = [&](std::size_t i) __attribute__((always_inline)) {
+      const std::uint32_t candidates = (z >> 16) | (z_right & 0xffff0000u);
+      std::uint32_t kept;
+      __builtin_memcpy(&kept, depth + 2 * i, 4);
+      __usub16(candidates, kept);  // GE set where candidate >= kept
+      const std::uint32_t nearest = __sel(kept, candidates);
+      if (nearest != kept) {
+        std::uint32_t old_pixels;
+        __builtin_memcpy(&old_pixels, pixels + 2 * i, 4);
+        const std::uint32_t new_pixels = __sel(old_pixels, both_pixels);
+        __builtin_memcpy(depth + 2 * i, &nearest, 4);
+        __builtin_memcpy(pixels + 2 * i, &new_pixels, 4);
+      }
+      z += two;
+      z_right += two;
+    };
+    for (; count >= 8; count -= 8) {
+#pragma GCC unroll 4
+      for (std::size_t i = 0; i < 4; ++i) pair(i);
+      depth += 8;
+      pixels += 8;
+    }
+    if (count != 0) short_run(depth, pixels, count, z + dz * (count - 1), dz, source);
+  }
+#else
+  template <class Source>
+  static constexpr bool pairs_fit = false;
+#endif
+};
+
+}  // namespace spanline
