@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::uint64_t ms = 1'000'000;  // nanoseconds
 
-// The pause after reset, sleep in and sleep out (sections 8.2.2, 8.2.11, 8.2.12, 15.4): 5 ms allow some commands in
-// some states, 120 ms all of them in any state.
+// The pause after reset, sleep in and sleep out (sections 8.2.2, 8.2.11, 8.2.12; reset timing): 5 ms allow some
+// commands in some states, 120 ms all of them in any state.
 constexpr std::uint64_t settle_ns = 120 * ms;
 
 constexpr std::uint8_t my = 0x80;

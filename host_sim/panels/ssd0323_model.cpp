@@ -16,7 +16,7 @@ constexpr std::uint8_t glass_start_line = 0;
 constexpr std::uint8_t glass_remap = 0x50;  // COM split and COM remap, columns straight
 constexpr std::uint8_t glass_remap_mask = 0x51;
 
-/// Arguments of a command (section 9), or −1 for an unknown one.
+/// Arguments of a command, or −1 for an unknown one.
 int argument_count(std::uint8_t command) {
   switch (command) {
     case 0x15:
@@ -166,7 +166,8 @@ void Ssd0323Model::check_setup() {
                                            " do not suit the glass");
 }
 
-// Section 10, set row address: the pointer runs through the window and starts again at its first corner.
+// Command description of 75h, set row address: the pointer runs through the window and starts again at its first
+// corner.
 void Ssd0323Model::advance() {
   const bool vertical = (remap_ & remap_vertical) != 0;
   int& inner = vertical ? row_ : column_;

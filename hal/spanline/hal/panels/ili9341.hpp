@@ -11,7 +11,7 @@
 
 namespace spanline::hal {
 
-/// What does not depend on bus or orientation: ILI9341 datasheet, sections 8.2 (level 1) to 8.4 (extended commands).
+/// What does not depend on bus or orientation: ILI9341 datasheet, chapter 8 (commands).
 namespace ili9341 {
 
 inline constexpr std::uint8_t software_reset = 0x01;
@@ -28,7 +28,7 @@ inline constexpr std::uint8_t pixel_format_set = 0x3A;
 inline constexpr int native_width = 240;
 inline constexpr int native_height = 320;
 
-/// Reset low for at least 10 µs (section 15.4); twice that, as a board's delay may be coarse.
+/// Reset low for at least 10 µs (reset timing); twice that, as a board's delay may be coarse.
 inline constexpr std::uint32_t reset_low_us = 20;
 /// After reset and on both ways between sleep and waking: 120 ms until the supplies are stable (sections 8.2.2, 8.2.11,
 /// 8.2.12). Some commands are allowed after 5 ms; waiting once for all is simpler.
@@ -104,7 +104,8 @@ class Ili9341 {
   static constexpr int width = turned ? ili9341::native_height : ili9341::native_width;
   static constexpr int height = turned ? ili9341::native_width : ili9341::native_height;
   static constexpr PixelOrder pixel_order = PixelOrder::high_byte_first;
-  /// Serial write cycle 100 ns (section 19.3.4); common modules on short wires run at 40 MHz.
+  /// Serial write cycle 100 ns (AC characteristics, 4-line serial interface); common modules on short wires run at 40
+  /// MHz.
   static constexpr ClockRating clock_rating{.rated_hz = 10'000'000, .tolerated_hz = 40'000'000};
 
   Ili9341(BusType& bus, ClockType& clock) : bus_(bus), clock_(clock) {}

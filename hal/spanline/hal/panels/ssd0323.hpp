@@ -11,8 +11,8 @@
 
 namespace spanline::hal {
 
-/// What does not depend on the bus. The SSD0323 is the SSD1325 under an older name: command table and descriptions in
-/// sections 9 and 10 of the latter's datasheet.
+/// What does not depend on the bus. The SSD0323 is the SSD1325 under an older name: commands and their
+/// arguments are those of the latter's datasheet, command table and command descriptions.
 namespace ssd0323 {
 
 inline constexpr std::uint8_t set_column_address = 0x15;
