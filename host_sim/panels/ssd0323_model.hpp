@@ -7,8 +7,8 @@
 
 namespace spanline::sim {
 
-/// An SSD0323 with the OSRAM Pictiva 128 × 64 glass, on a 4-wire serial bus (datasheet of its twin, the SSD1325,
-/// sections 9 and 10). Arguments come with D/C low, like commands.
+/// An SSD0323 with the OSRAM Pictiva 128 × 64 glass, on a 4-wire serial bus (datasheet of its twin, the SSD1325).
+/// Arguments come with D/C low, like commands.
 ///
 /// Modelled: windows over the 64 × 80 byte memory, both address directions, nibble order, display on/off, all on, all
 /// off, inverse; grey level n shows as n × 17. Currents, voltages and timing registers are taken and have no effect.
