@@ -1,0 +1,117 @@
+// Benchmark scenes of the documentation, measured in instructions of the emulated core: one warm frame, clears apart.
+// Prints `bench <scene> <visibility> <depth> <band> <instructions> <crc> <peak bytes>` for each.
+#include <bunny.hpp>
+
+#include "board.hpp"
+#include "counter.hpp"
+#include "scenes/crc32.hpp"
+#include "scenes/model_view.hpp"
+#include "scenes/screen_soups.hpp"
+
+namespace {
+
+using namespace spanline;
+
+alignas(8) std::byte memory[1024 * 1024];
+ScreenVertex soup_vertices[6000];
+std::uint16_t soup_colours[2000];
+
+struct NullSink {};
+
+void print(const char* scene, const char* visibility, int depth, unsigned band, std::uint32_t instructions, std::uint32_t crc,
+           std::size_t peak_bytes) {
+  board::write("bench ");
+  board::write(scene);
+  board::write(" ");
+  board::write(visibility);
+  board::write(" ");
+  board::write_unsigned(static_cast<std::uint32_t>(depth));
+  board::write(" ");
+  board::write_unsigned(band);
+  board::write(" ");
+  board::write_unsigned(instructions);
+  board::write(" ");
+  board::write_hex(crc);
+  board::write(" ");
+  board::write_unsigned(static_cast<std::uint32_t>(peak_bytes));
+  board::write("\n");
+}
+
+/// Draws two frames and measures the second. `submit` starts the frame and adds what it shows.
+template <class Traits, class Submit>
+void measure(const char* scene, Capacity capacity, unsigned band, Submit submit) {
+  capacity.band_lines = static_cast<std::uint16_t>(band == 0 ? capacity.height : band);
+  capacity.colour_bands = band == 0 ? 1 : 2;
+  capacity.active = band == 0 ? 0 : capacity.active;
+  Renderer<Traits> renderer(capacity, memory);
+  std::uint32_t instructions = 0;
+  scenes::Crc32 crc;
+  for (int frame = 0; frame < 2; ++frame) {
+    crc = {};
+    board::counter_start();
+    submit(renderer);
+    instructions = board::counter_read();
+    NullSink sink;
+    renderer.start_bands();
+    for (std::uint32_t i = 0; i < capacity.bands(); ++i) {
+      renderer.clear_band(i);
+      board::counter_start();
+      const auto view = renderer.draw_band(i, sink);
+      instructions += board::counter_read();
+      for (const auto pixel : view.pixels) crc.add(pixel);
+    }
+    if (!renderer.end_bands().ok()) board::write("bench: a pool is full\n");
+  }
+  print(scene, band == 0 ? "zbuffer" : "scanline-z", Traits::Depth::bits, band, instructions, crc.value(), renderer.peaks().total());
+}
+
+template <class Depth>
+void soups(unsigned band) {
+  using Traits = FlatTraits<Rgb565, Depth>;
+  const auto soup = [&](const char* name, std::uint32_t triangles, auto make) {
+    const scenes::ScreenSoup target{std::span(soup_vertices).first(3 * triangles), std::span(soup_colours).first(triangles)};
+    make(target);
+    measure<Traits>(name, {.polygons = triangles, .active = triangles}, band, [&](auto& renderer) {
+      FrameSettings settings;
+      settings.cull = Cull::none;
+      (void)renderer.begin(settings);
+      if (!renderer.add_screen(target.vertices, target.colours).ok()) board::write("bench: a pool is full\n");
+    });
+  };
+  const auto right_triangles = [](std::uint32_t leg, std::uint32_t count) {
+    return [=](scenes::ScreenSoup target) { scenes::make_right_triangles(leg, count, Depth::bits, target); };
+  };
+  soup("S1", 2000, right_triangles(8, 2000));
+  soup("S2", 500, right_triangles(32, 500));
+  soup("S3", 100, right_triangles(128, 100));
+  soup("S7B", 40, [](scenes::ScreenSoup target) { scenes::make_full_screen_quads(true, Depth::bits, target); });
+  soup("S7F", 40, [](scenes::ScreenSoup target) { scenes::make_full_screen_quads(false, Depth::bits, target); });
+}
+
+template <class Traits>
+void model(const char* name, ShadingMode shading, unsigned band) {
+  const Mesh& mesh = spanline_models::bunny;
+  const auto vertices = static_cast<std::uint32_t>(mesh.vertex_count());
+  const scenes::ModelView view = scenes::model_view(mesh, Angle::from_degrees(30), 240, shading);
+  measure<Traits>(name, {.vertices = vertices, .shades = shading == ShadingMode::gouraud ? vertices : 0, .polygons = 1600, .active = 64},
+                  band, [&](auto& renderer) {
+                    (void)renderer.begin(view.settings);
+                    if (!renderer.add(mesh, view.transform, view.material).ok()) board::write("bench: a pool is full\n");
+                  });
+}
+
+template <class Depth>
+void all(unsigned band) {
+  soups<Depth>(band);
+  model<FlatTraits<Rgb565, Depth>>("S4", ShadingMode::flat, band);
+  model<FullTraits<Rgb565, Depth>>("S5", ShadingMode::gouraud, band);
+}
+
+}  // namespace
+
+int main() {
+  all<Depth16<>>(0);
+  all<Depth16<>>(16);
+  all<Depth24<>>(0);
+  return 0;
+}

@@ -1,0 +1,52 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "scenes/random.hpp"
+#include "spanline/raster/screen_vertex.hpp"
+
+namespace spanline::scenes {
+
+/// Triangles given on screen, corners three by three, and an RGB565 colour each.
+struct ScreenSoup {
+  std::span<ScreenVertex> vertices;
+  std::span<std::uint16_t> colours;
+};
+
+/// A vertex at whole pixels of a 320 × 240 picture, with a 16-bit depth widened to `depth_bits`.
+inline ScreenVertex soup_vertex(std::int32_t x, std::int32_t y, std::uint32_t z16, int depth_bits) {
+  return ScreenVertex::make(x * 16, y * 16, z16 << (depth_bits - 16), depth_bits);
+}
+
+/// Benchmark scenes S1, S2 and S3: `count` flat right triangles with legs of `leg` pixels at random places and depths.
+inline void make_right_triangles(std::uint32_t leg, std::uint32_t count, int depth_bits, ScreenSoup soup) {
+  Random random;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t x0 = random() % (321 - leg), y0 = random() % (241 - leg), orientation = random() & 3;
+    const std::uint32_t base = 4096 + random() % 57344;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      // Corners o − 1, o, o + 1 of the clockwise square whose corner 0 is top-left.
+      const std::uint32_t corner = (orientation + k + 3) & 3;
+      const std::uint32_t x = x0 + (corner == 1 || corner == 2 ? leg : 0), y = y0 + (corner >= 2 ? leg : 0);
+      soup.vertices[3 * i + k] = soup_vertex(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), base + random() % 2048, depth_bits);
+    }
+    soup.colours[i] = static_cast<std::uint16_t>((random() >> 8) & 0xffff);
+  }
+}
+
+/// Benchmark scenes S7B and S7F: 20 quads over the whole picture, two triangles each, at depths 3000·(i + 1), farthest or
+/// nearest first.
+inline void make_full_screen_quads(bool back_to_front, int depth_bits, ScreenSoup soup) {
+  constexpr std::uint32_t quads = 20;
+  for (std::uint32_t i = 0; i < quads; ++i) {
+    const std::uint32_t z = 3000 * (back_to_front ? quads - i : i + 1);
+    const auto top_left = soup_vertex(0, 0, z, depth_bits), top_right = soup_vertex(320, 0, z, depth_bits);
+    const auto bottom_left = soup_vertex(0, 240, z, depth_bits), bottom_right = soup_vertex(320, 240, z, depth_bits);
+    const std::array<ScreenVertex, 6> corners{top_left, top_right, bottom_right, top_left, bottom_right, bottom_left};
+    for (std::uint32_t k = 0; k < 6; ++k) soup.vertices[6 * i + k] = corners[k];
+    soup.colours[2 * i] = soup.colours[2 * i + 1] = static_cast<std::uint16_t>((i + 1) * 0x0c31);
+  }
+}
+
+}  // namespace spanline::scenes
