@@ -1,0 +1,76 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "base/failure.hpp"
+#include "base/output_file.hpp"
+#include "commands/commands.hpp"
+#include "convert/flash_mesh.hpp"
+#include "convert/header_writer.hpp"
+#include "convert/memory_report.hpp"
+#include "import/model_file.hpp"
+#include "scene/scene.hpp"
+#include "spanline/model/validate.hpp"
+
+namespace spanline::sim {
+namespace {
+
+class ConvertCommand final : public Command {
+ public:
+  void declare(CLI::App& app) override {
+    app.add_option("MODEL", model_, "OBJ, glTF/GLB, PLY or STL")->required();
+    app.add_option("-o", output_, "the header")->type_name("mesh.hpp")->required();
+    app.add_option("--name", name_, "name of the mesh (by default the header's)")->type_name("NAME");
+    app.add_flag("--bsp", bsp_, "with a BSP tree (not available yet)");
+    app.add_option("--simplify", simplify_, "to at most N triangles (not available yet)")->type_name("N");
+  }
+
+  void run() override {
+    if (bsp_) throw NotAvailable("--bsp");
+    if (simplify_) throw NotAvailable("--simplify");
+    if (name_ && !is_identifier(*name_)) throw UsageError("--name: '" + *name_ + "' is no name for a C++ object");
+    if (output_.empty()) throw UsageError("-o: the name is empty");
+    if (same_file(output_, model_)) throw UsageError("-o names the model itself");
+    OutputFile file(output_);
+    const CoreMesh mesh = load();
+    file.write(write_header(mesh, name_.value_or(identifier_from(output_)),
+                            std::filesystem::path(model_).filename().string()));
+    file.commit();
+    std::fputs(memory_report(mesh).c_str(), stdout);
+  }
+
+  [[nodiscard]] const char* name() const override { return "convert"; }
+  [[nodiscard]] const char* description() const override {
+    return "Turns a model into C++ tables for flash and prints the flash and RAM they need";
+  }
+
+ private:
+  CoreMesh load() const {
+    Scene scene = import_model(model_);
+    complete_vertex_normals(scene);
+    complete_polygon_colours(scene);
+    CoreMesh mesh;
+    try {
+      mesh = to_flash_mesh(welded(scene));
+    } catch (const Failure& failure) {
+      throw file_failure(model_, failure.what());
+    }
+    const MeshReport report = validate(mesh.view());
+    if (!report.ok())
+      throw file_failure(
+          model_, std::string("makes no valid mesh: ") + to_string(report.fault) + " at " + std::to_string(report.at));
+    return mesh;
+  }
+
+  std::string model_, output_;
+  std::optional<std::string> name_, simplify_;
+  bool bsp_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_convert_command() { return std::make_unique<ConvertCommand>(); }
+
+}  // namespace spanline::sim

@@ -1,0 +1,239 @@
+#include "commands/render_arguments.hpp"
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <utility>
+
+#include "base/failure.hpp"
+#include "base/output_file.hpp"
+#include "spanline/model/light.hpp"
+
+namespace spanline::sim {
+namespace {
+
+constexpr int greatest_turntable = 3600;
+
+void add_camera_options(CLI::App& command, RenderTexts& texts) {
+  const std::string group = "Camera (none given: the whole model is framed)";
+  command.add_option("--eye", texts.eye, "where the camera stands")->type_name("X,Y,Z")->group(group);
+  command.add_option("--target", texts.target, "what it looks at")->type_name("X,Y,Z")->group(group);
+  command.add_option("--up", texts.up, "upwards direction (0,1,0)")->type_name("X,Y,Z")->group(group);
+  command.add_option("--fov", texts.field_of_view, "vertical field of view (45)")->type_name("DEGREES")->group(group);
+  command.add_option("--near", texts.near_plane, "near plane")->type_name("N")->group(group);
+  command.add_option("--far", texts.far_plane, "far plane")->type_name("F")->group(group);
+  command.add_option("--ortho", texts.ortho, "orthographic, height of the view in world units")
+      ->type_name("HEIGHT")
+      ->group(group);
+}
+
+void add_output_options(CLI::App& command, RenderTexts& texts) {
+  const std::string group = "Output";
+  command.add_option("-o", texts.output, "the picture")->type_name("OUT.png")->required()->group(group);
+  command.add_option("--depth-out", texts.depth_output, "depths as 8-bit RGB, R<<16|G<<8|B")
+      ->type_name("F.png")
+      ->group(group);
+  command.add_option("--ids-out", texts.ids_output, "1 + index of the triangle, as 8-bit RGB")
+      ->type_name("F.png")
+      ->group(group);
+  command.add_option("--stats", texts.statistics_output, "statistics")->type_name("F.json")->group(group);
+  command.add_option("--turntable", texts.turntable, "N frames to an animation, GIF or APNG by the ending of -o")
+      ->type_name("N")
+      ->group(group);
+}
+
+void add_drawing_options(CLI::App& command, RenderTexts& texts) {
+  const std::string group = "Drawing";
+  command.add_option("--size", texts.size, "picture size (320x240)")->type_name("WxH")->group(group);
+  command.add_option("--visibility", texts.visibility, "algorithm (scanline-z)")->type_name("NAME")->group(group);
+  command.add_option("--depth", texts.depth, "bits of depth (16)")->type_name("16|24")->group(group);
+  command.add_option("--depth-sense", texts.depth_sense, "nearer depths are (smaller)")
+      ->type_name("smaller|larger")
+      ->group(group);
+  command.add_option("--band", texts.band, "lines a band (16)")->type_name("LINES")->group(group);
+  command.add_option("--cull", texts.cull, "faces that are not drawn (back)")
+      ->type_name("back|front|none")
+      ->group(group);
+  command.add_option("--shade", texts.shade, "shading (by what the model has)")
+      ->type_name("flat|gouraud|texture|unlit")
+      ->group(group);
+  command.add_option("--light", texts.lights, "direction towards the light; up to 4 of them")
+      ->type_name("X,Y,Z")
+      ->expected(1)
+      ->take_all()
+      ->group(group);
+  command.add_option("--ambient", texts.ambient, "ambient light")->type_name("0..1")->group(group);
+  command.add_option("--background", texts.background, "colour (000000)")->type_name("RRGGBB")->group(group);
+  command.add_option("--panel", texts.panel, "through that panel's driver and model, at its size")
+      ->type_name("NAME")
+      ->group(group);
+}
+
+void add_later_options(CLI::App& command, RenderTexts& texts) {
+  const std::string group = "Not available yet";
+  command.add_option("--structure", texts.structure, "for ray")->type_name("grid|octree|kd|bsp")->group(group);
+  command.add_flag("--wireframe", texts.wireframe)->group(group);
+  command.add_option("--pick", texts.pick, "prints polygon and depth")->type_name("X,Y")->group(group);
+  command.add_option("--texture", texts.texture)->type_name("FILE")->group(group);
+  command.add_option("--filter", texts.filter)->type_name("nearest|bilinear")->group(group);
+  command.add_flag("--mipmap", texts.mipmap)->group(group);
+  command.add_option("--wrap", texts.wrap)->type_name("repeat|clamp")->group(group);
+  command.add_option("--opacity", texts.opacity)->type_name("A")->group(group);
+  command.add_option("--transparency", texts.transparency)->type_name("blend|screen-door|stochastic")->group(group);
+  command.add_option("--samples", texts.samples)->type_name("N")->group(group);
+  command.add_option("--fog", texts.fog)->type_name("NEAR,FAR,RRGGBB")->group(group);
+  command.add_flag("--dither", texts.dither)->group(group);
+}
+
+void refuse_later_options(const RenderTexts& texts) {
+  const std::array<std::pair<const char*, bool>, 12> later{{{"--structure", texts.structure.has_value()},
+                                                            {"--wireframe", texts.wireframe},
+                                                            {"--pick", texts.pick.has_value()},
+                                                            {"--texture", texts.texture.has_value()},
+                                                            {"--filter", texts.filter.has_value()},
+                                                            {"--mipmap", texts.mipmap},
+                                                            {"--wrap", texts.wrap.has_value()},
+                                                            {"--opacity", texts.opacity.has_value()},
+                                                            {"--transparency", texts.transparency.has_value()},
+                                                            {"--samples", texts.samples.has_value()},
+                                                            {"--fog", texts.fog.has_value()},
+                                                            {"--dither", texts.dither}}};
+  for (const auto& [name, given] : later)
+    if (given) throw NotAvailable(name);
+}
+
+/// One of a few words, each with its value.
+template <class Value, std::size_t Count>
+Value parse_choice(const std::string& option, const std::string& text,
+                   const std::array<std::pair<const char*, Value>, Count>& choices) {
+  std::string names;
+  for (const auto& [name, value] : choices) {
+    if (text == name) return value;
+    names += (names.empty() ? "" : ", ") + std::string(name);
+  }
+  throw UsageError(option + ": '" + text + "' is none of " + names);
+}
+
+std::optional<double> optional_number(const std::string& option, const RenderTexts::Text& text) {
+  return text ? std::optional(parse_number(option, *text)) : std::nullopt;
+}
+
+std::optional<Vector3> optional_vector(const std::string& option, const RenderTexts::Text& text) {
+  return text ? std::optional(parse_vector(option, *text)) : std::nullopt;
+}
+
+ViewRequest parse_view(const RenderTexts& texts) {
+  ViewRequest request;
+  request.eye = optional_vector("--eye", texts.eye);
+  request.target = optional_vector("--target", texts.target);
+  request.up = optional_vector("--up", texts.up);
+  request.field_of_view = optional_number("--fov", texts.field_of_view);
+  request.ortho_height = optional_number("--ortho", texts.ortho);
+  request.near_plane = optional_number("--near", texts.near_plane);
+  request.far_plane = optional_number("--far", texts.far_plane);
+  check_request(request);
+  return request;
+}
+
+void parse_drawing(const RenderTexts& texts, RenderArguments& arguments) {
+  using Sense = DepthSense;
+  if (texts.size) arguments.size = parse_size("--size", *texts.size);
+  arguments.visibility = &find_visibility(texts.visibility.value_or("scanline-z"));
+  if (texts.shade) arguments.shading = &find_shading(*texts.shade);
+  if (texts.depth)
+    arguments.depth_bits = parse_choice("--depth", *texts.depth, std::array{std::pair{"16", 16}, std::pair{"24", 24}});
+  if (texts.depth_sense)
+    arguments.depth_sense = parse_choice(
+        "--depth-sense", *texts.depth_sense,
+        std::array{std::pair{"smaller", Sense::smaller_is_nearer}, std::pair{"larger", Sense::larger_is_nearer}});
+  if (texts.band) arguments.band_lines = parse_integer("--band", *texts.band, 1, greatest_size);
+  if (texts.cull)
+    arguments.cull = parse_choice(
+        "--cull", *texts.cull,
+        std::array{std::pair{"back", Cull::back}, std::pair{"front", Cull::front}, std::pair{"none", Cull::none}});
+}
+
+void parse_light(const RenderTexts& texts, RenderArguments& arguments) {
+  if (texts.lights.size() > Lighting::max_lights)
+    throw UsageError("--light: at most " + std::to_string(Lighting::max_lights) + " lights");
+  for (const std::string& light : texts.lights) {
+    arguments.lights.push_back(parse_vector("--light", light));
+    if (arguments.lights.back() == Vector3{}) throw UsageError("--light: '" + light + "' has no direction");
+  }
+  arguments.ambient = optional_number("--ambient", texts.ambient);
+  if (arguments.ambient && (*arguments.ambient < 0 || *arguments.ambient > 1))
+    throw UsageError("--ambient: must lie between 0 and 1");
+  if (texts.background) arguments.background = parse_colour("--background", *texts.background);
+}
+
+void parse_panel(const RenderTexts& texts, RenderArguments& arguments) {
+  if (!texts.panel) return;
+  arguments.panel = find_panel(*texts.panel);
+  if (arguments.panel == nullptr) {
+    std::string names;
+    for (const PanelInfo& info : panels()) names += (names.empty() ? "" : ", ") + std::string(info.name);
+    throw UsageError("--panel: '" + *texts.panel + "' is unknown; there is " + names);
+  }
+  const Size size{arguments.panel->width, arguments.panel->height};
+  if (texts.size && arguments.size != size)
+    throw UsageError("--size: the panel has " + std::to_string(size.width) + "x" + std::to_string(size.height));
+  arguments.size = size;
+}
+
+void check_ending(const RenderArguments& arguments) {
+  const std::string& name = arguments.output;
+  const bool png = name.ends_with(".png") || name.ends_with(".apng");
+  if (arguments.turntable_frames > 0) {
+    if (!png && !name.ends_with(".gif")) throw UsageError("-o: a turntable goes to a .gif, .png or .apng file");
+    return;
+  }
+  for (const char* other : {".gif", ".jpg", ".jpeg", ".bmp", ".ppm", ".webp"})
+    if (name.ends_with(other)) throw UsageError("-o: pictures are PNG, and '" + name + "' ends in " + other);
+}
+
+void parse_outputs(const RenderTexts& texts, RenderArguments& arguments) {
+  arguments.output = texts.output;
+  arguments.depth_output = texts.depth_output;
+  arguments.ids_output = texts.ids_output;
+  arguments.statistics_output = texts.statistics_output;
+  if (texts.turntable)
+    arguments.turntable_frames = parse_integer("--turntable", *texts.turntable, 1, greatest_turntable);
+  check_ending(arguments);
+  std::vector<std::pair<const char*, std::string>> outputs{{"-o", texts.output}};
+  if (texts.depth_output) outputs.emplace_back("--depth-out", *texts.depth_output);
+  if (texts.ids_output) outputs.emplace_back("--ids-out", *texts.ids_output);
+  if (texts.statistics_output) outputs.emplace_back("--stats", *texts.statistics_output);
+  if (arguments.turntable_frames > 0 && outputs.size() > 1)
+    throw UsageError(std::string(outputs[1].first) + " goes with a still picture, not with --turntable");
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    if (outputs[i].second.empty()) throw UsageError(std::string(outputs[i].first) + ": the name is empty");
+    if (same_file(outputs[i].second, texts.model))
+      throw UsageError(std::string(outputs[i].first) + " names the model itself");
+    for (std::size_t k = 0; k < i; ++k)
+      if (same_file(outputs[i].second, outputs[k].second) && !outputs[i].second.starts_with("/dev/"))
+        throw UsageError(std::string(outputs[k].first) + " and " + outputs[i].first + " name the same file");
+  }
+}
+
+}  // namespace
+
+void add_render_options(CLI::App& command, RenderTexts& texts) {
+  command.add_option("MODEL", texts.model, "OBJ, glTF/GLB, PLY or STL")->required();
+  add_output_options(command, texts);
+  add_camera_options(command, texts);
+  add_drawing_options(command, texts);
+  add_later_options(command, texts);
+}
+
+RenderArguments parse_render_arguments(const RenderTexts& texts) {
+  refuse_later_options(texts);
+  RenderArguments arguments;
+  arguments.model = texts.model;
+  parse_drawing(texts, arguments);
+  arguments.view = parse_view(texts);
+  parse_light(texts, arguments);
+  parse_panel(texts, arguments);
+  parse_outputs(texts, arguments);
+  return arguments;
+}
+
+}  // namespace spanline::sim

@@ -1,0 +1,13 @@
+#pragma once
+#include "scene/scene.hpp"
+
+struct aiScene;
+
+namespace spanline::sim {
+
+/// All meshes of all nodes, in the order of the nodes, with the nodes' transforms applied. Polygons become fans; points
+/// and lines are dropped; nodes that mirror turn their triangles over. Throws std::runtime_error for numbers that are
+/// not finite, indices out of range and scenes without a triangle.
+[[nodiscard]] Scene build_scene(const aiScene& file, bool keep_normals);
+
+}  // namespace spanline::sim

@@ -1,0 +1,78 @@
+#include "registry/registry.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "base/failure.hpp"
+#include "panels/panel_registry.hpp"
+
+namespace spanline::sim {
+namespace {
+
+constexpr std::array<VisibilityEntry, 2> visibility_table{{
+    {"zbuffer", "exact", "depth buffer of the whole picture", true},
+    {"scanline-z", "exact", "depth buffer of one band of lines, polygons sorted by bands", false},
+}};
+
+constexpr std::array<ShadingEntry, 3> shading_table{{
+    {"flat", "one brightness a polygon", false, true},
+    {"gouraud", "brightness interpolated between the vertices", true, true},
+    {"unlit", "colours as they are, without light", true, false},
+}};
+
+struct BoardEntry {
+  const char* name;
+  const char* description;
+};
+
+constexpr std::array<BoardEntry, 6> board_table{{
+    {"lm3s6965evb", "Cortex-M3, 64 KB of RAM, SSD0323 display on SPI (QEMU)"},
+    {"mps2-an385", "Cortex-M3, 4 MB of RAM (QEMU)"},
+    {"mps2-an386", "Cortex-M4, 4 MB of RAM (QEMU)"},
+    {"mps2-an500", "Cortex-M7, 4 MB of RAM (QEMU)"},
+    {"microbit", "Cortex-M0, 16 KB of RAM (QEMU)"},
+    {"virt-rv32", "RV32IMC, RISC-V virt machine (QEMU)"},
+}};
+
+/// Names of the command line that have no algorithm yet.
+constexpr std::array<std::string_view, 8> later_visibility{"span",      "painter", "depth-sort",      "bsp",
+                                                           "bsp-front", "warnock", "weiler-atherton", "ray"};
+constexpr std::array<std::string_view, 1> later_shading{"texture"};
+
+template <class Table, class Later>
+const auto& find(const char* option, const Table& table, const Later& later, const std::string& name) {
+  const auto entry = std::find_if(table.begin(), table.end(), [&](const auto& e) { return name == e.name; });
+  if (entry != table.end()) return *entry;
+  if (std::find(later.begin(), later.end(), name) != later.end()) throw NotAvailable(std::string(option) + " " + name);
+  std::string choice;
+  for (const auto& e : table) choice += (choice.empty() ? "" : ", ") + std::string(e.name);
+  throw UsageError(std::string(option) + ": '" + name + "' is unknown; there is " + choice);
+}
+
+}  // namespace
+
+std::span<const VisibilityEntry> visibility_algorithms() { return visibility_table; }
+std::span<const ShadingEntry> shadings() { return shading_table; }
+
+const VisibilityEntry& find_visibility(const std::string& name) {
+  return find("--visibility", visibility_table, later_visibility, name);
+}
+
+const ShadingEntry& find_shading(const std::string& name) {
+  return find("--shade", shading_table, later_shading, name);
+}
+
+std::vector<ListEntry> list_entries() {
+  // Kinds without classes say so by a dash, so that no column is empty.
+  std::vector<ListEntry> entries;
+  for (const VisibilityEntry& e : visibility_table)
+    entries.push_back({"visibility", e.name, e.exactness, e.description});
+  for (const ShadingEntry& e : shading_table) entries.push_back({"shading", e.name, "-", e.description});
+  for (const PanelInfo& e : panels())
+    entries.push_back({"panel", std::string(e.name), std::string(e.panel_class), std::string(e.description)});
+  for (const BoardEntry& e : board_table) entries.push_back({"board", e.name, "-", e.description});
+  return entries;
+}
+
+}  // namespace spanline::sim

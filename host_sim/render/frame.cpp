@@ -1,0 +1,253 @@
+#include "render/frame.hpp"
+
+#include <algorithm>
+
+#include "base/failure.hpp"
+#include "scene/core_values.hpp"
+
+namespace spanline::sim {
+namespace {
+
+/// Polygons across a band's edge that there is room for at first; few frames have more.
+constexpr std::uint32_t first_active = 4096;
+
+/// Gathers the bands of a frame.
+template <class Traits>
+struct FrameSink {
+  using Pixel = typename Traits::Format::Pixel;
+  using Depth = typename Traits::Depth;
+
+  std::vector<Pixel>& pixels;
+  std::vector<std::uint32_t>* depths;
+  std::vector<bool>* covered_triangles;
+
+  template <class Band>
+  bool operator()(const Band& band) {
+    pixels.insert(pixels.end(), band.pixels.begin(), band.pixels.end());
+    if (depths == nullptr) return true;
+    for (const typename Depth::Word word : band.depth)
+      depths->push_back(word == Depth::clear ? background_depth(Depth::bits) : Depth::integer(word));
+    return true;
+  }
+
+  void covered(std::uint32_t triangle) {
+    if (covered_triangles != nullptr) (*covered_triangles)[triangle] = true;
+  }
+};
+
+/// Makes room for what a frame wanted, and a little more so that frames of a turntable rarely ask again.
+void grow(Capacity& capacity, const Status& status) {
+  const auto to = [&](std::uint32_t& pool) { pool = std::max(status.wanted, pool + pool / 4 + 64); };
+  switch (status.pool) {
+    case Pool::instances:
+      return to(capacity.instances);
+    case Pool::vertices:
+      return to(capacity.vertices);
+    case Pool::shades:
+      return to(capacity.shades);
+    case Pool::polygons:
+      return to(capacity.polygons);
+    case Pool::fans:
+      return to(capacity.fans);
+    case Pool::active:
+      return to(capacity.active);
+    case Pool::none:
+    case Pool::memory:
+      break;
+  }
+  throw Failure("the renderer ran out of memory that it had asked for");
+}
+
+/// Draws with one kind of renderer, as often as it takes until every pool is large enough.
+template <class Traits>
+class Pass {
+ public:
+  /// `meshes` and the lights of `settings` outlive the pass.
+  Pass(const std::vector<Mesh>& meshes, const FrameSettings& settings, const Material& material)
+      : meshes_(meshes), settings_(settings), material_(material) {}
+
+  std::vector<typename Traits::Format::Pixel> pixels;
+  std::vector<std::uint32_t> depths;
+  std::vector<bool> covered;
+  Statistics statistics{};
+  PoolPeaks peaks{};
+  bool want_depth = false, want_covered = false;
+
+  void run(Capacity& capacity, std::vector<std::byte>& memory, std::size_t triangles) {
+    for (;;) {
+      const Status status = attempt(capacity, memory, triangles);
+      if (status.ok()) return;
+      if (status.fault != Fault::pool_full)
+        throw Failure(std::string("the renderer refused: ") + to_string(status.fault));
+      grow(capacity, status);
+    }
+  }
+
+ private:
+  Status attempt(const Capacity& capacity, std::vector<std::byte>& memory, std::size_t triangles) {
+    pixels.clear();
+    depths.clear();
+    covered.assign(want_covered ? triangles : 0, false);
+    const std::size_t bytes = Renderer<Traits>::bytes_needed(capacity);
+    if (memory.size() < bytes) memory.resize(bytes);
+    Renderer<Traits> renderer(capacity, std::span(memory).first(bytes));
+    if (const Status status = renderer.status(); !status.ok()) return status;
+    if (const Status status = renderer.begin(settings_); !status.ok()) return status;
+    for (const Mesh& mesh : meshes_)
+      if (const Status status = renderer.add(mesh, Transform{}, material_); !status.ok()) return status;
+    FrameSink<Traits> sink{pixels, want_depth ? &depths : nullptr, want_covered ? &covered : nullptr};
+    if (const Status status = renderer.draw(sink); !status.ok()) return status;
+    statistics = renderer.statistics();
+    peaks = renderer.peaks();
+    return {};
+  }
+
+  const std::vector<Mesh>& meshes_;
+  FrameSettings settings_;
+  Material material_;
+};
+
+std::vector<DirectionalLight> to_core_lights(const SceneLight& light) {
+  std::vector<DirectionalLight> lights;
+  for (const Vector3 towards : light.towards)
+    lights.push_back({to_direction(towards), to_fixed<Fixed<16>>(light.intensity)});
+  return lights;
+}
+
+std::vector<std::pair<std::string, std::uint64_t>> named_peaks(const PoolPeaks& peaks) {
+  return {{"instances", peaks.instances},
+          {"vertices", peaks.vertices},
+          {"shades", peaks.shades},
+          {"polygons", peaks.polygons},
+          {"fans", peaks.fans},
+          {"active", peaks.active},
+          {"buckets", peaks.buckets},
+          {"colour_bands", peaks.colour_bands},
+          {"depth_band", peaks.depth_band},
+          {"total", peaks.total()}};
+}
+
+std::uint64_t distinct_ids(const std::vector<std::uint32_t>& ids, std::size_t triangles) {
+  std::vector<bool> seen(triangles + 1);
+  for (const std::uint32_t id : ids) seen[id] = true;
+  seen[0] = false;
+  return static_cast<std::uint64_t>(std::count(seen.begin(), seen.end(), true));
+}
+
+/// Draws the colour picture and, where asked, the picture of ids, with one format of depth.
+template <class Depth>
+class FrameDrawing {
+ public:
+  FrameDrawing(const FrameRequest& request, const std::vector<CoreMesh>& meshes, Capacity& capacity,
+               std::vector<std::byte>& memory)
+      : request_(request), capacity_(capacity), memory_(memory) {
+    for (const CoreMesh& mesh : meshes) {
+      triangles_ += mesh.indices.size() / 3;
+      meshes_.push_back(mesh.view());
+    }
+    const CoreMesh& first = meshes.front();
+    // Without normals every vertex is fully lit: only colours of vertices call for interpolation then.
+    const bool smooth = request.smooth && !(first.vertex_normals.empty() && first.vertex_colours.empty());
+    material_ = {first.colour, smooth ? ShadingMode::gouraud : ShadingMode::flat};
+  }
+
+  Frame draw() {
+    const std::vector<DirectionalLight> lights = to_core_lights(request_.light);
+    settings_.camera = request_.camera;
+    settings_.lighting = {to_fixed<Fixed<16>>(request_.light.ambient), lights};
+    settings_.background = request_.background;
+    settings_.cull = request_.cull;
+    Frame frame;
+    frame.size = request_.size;
+    draw_colours(frame);
+    if (request_.want_ids || request_.want_statistics) draw_ids(frame);
+    return frame;
+  }
+
+ private:
+  void draw_colours(Frame& frame) {
+    Pass<FullTraits<Rgb565, Depth, true>> pass(meshes_, settings_, material_);
+    pass.want_depth = request_.want_depth;
+    pass.want_covered = request_.want_statistics;
+    pass.run(capacity_, memory_, triangles_);
+    frame.pixels = std::move(pass.pixels);
+    frame.depths = std::move(pass.depths);
+    const auto& counted = pass.statistics.polygons;
+    covered_ = static_cast<std::uint64_t>(std::count(pass.covered.begin(), pass.covered.end(), true));
+    FrameStatistics& statistics = frame.statistics;
+    statistics.polygons.total = counted.total;
+    statistics.polygons.outside = counted.outside;
+    statistics.polygons.back = counted.back;
+    if (request_.want_statistics) statistics.polygons.empty = counted.total - counted.outside - counted.back - covered_;
+    statistics.pixels = pass.statistics.visibility.pixels;
+    statistics.spans = pass.statistics.visibility.spans;
+    statistics.depth_tests = pass.statistics.visibility.depth_tests;
+    statistics.peak_bytes = named_peaks(pass.peaks);
+  }
+
+  void draw_ids(Frame& frame) {
+    if (triangles_ >= (1u << 24)) throw Failure("pictures of ids count to 16777215, and the model has more triangles");
+    Pass<IdTraits<Depth>> pass(meshes_, settings_, material_);
+    pass.run(capacity_, memory_, triangles_);
+    const std::uint64_t visible = distinct_ids(pass.pixels, triangles_);
+    frame.statistics.polygons.visible = visible;
+    frame.statistics.polygons.obscured = covered_ - visible;
+    if (request_.want_ids) frame.ids = std::move(pass.pixels);
+  }
+
+  const FrameRequest& request_;
+  std::vector<Mesh> meshes_;
+  Material material_;
+  Capacity& capacity_;
+  std::vector<std::byte>& memory_;
+  FrameSettings settings_;
+  std::size_t triangles_ = 0;
+  std::uint64_t covered_ = 0;
+};
+
+}  // namespace
+
+FrameRenderer::FrameRenderer(std::vector<CoreMesh> meshes) : meshes_(std::move(meshes)) {
+  capacity_.instances = static_cast<std::uint32_t>(meshes_.size());
+  for (const CoreMesh& mesh : meshes_) {
+    capacity_.vertices += static_cast<std::uint32_t>(mesh.wide_vertices.size());
+    capacity_.polygons += static_cast<std::uint32_t>(mesh.indices.size() / 3);
+  }
+}
+
+Frame FrameRenderer::draw(const FrameRequest& request) {
+  capacity_.width = static_cast<std::uint16_t>(request.size.width);
+  capacity_.height = static_cast<std::uint16_t>(request.size.height);
+  capacity_.band_lines = static_cast<std::uint16_t>(request.band_lines);
+  capacity_.colour_bands = 1;
+  if (request.smooth) capacity_.shades = std::max(capacity_.shades, capacity_.vertices);
+  if (request.band_lines < request.size.height)
+    capacity_.active = std::max(capacity_.active, std::min(capacity_.polygons, first_active));
+  const auto with = [&]<class Depth>(Depth*) {
+    return FrameDrawing<Depth>(request, meshes_, capacity_, memory_).draw();
+  };
+  constexpr auto smaller = DepthSense::smaller_is_nearer, larger = DepthSense::larger_is_nearer;
+  const bool smaller_wanted = request.depth_sense == smaller;
+  if (request.depth_bits == 16)
+    return smaller_wanted ? with(static_cast<Depth16<smaller>*>(nullptr))
+                          : with(static_cast<Depth16<larger>*>(nullptr));
+  return smaller_wanted ? with(static_cast<Depth24<smaller>*>(nullptr)) : with(static_cast<Depth24<larger>*>(nullptr));
+}
+
+Picture to_picture(const std::vector<std::uint16_t>& pixels, Size size) {
+  Picture picture(size.width, size.height);
+  std::transform(pixels.begin(), pixels.end(), picture.pixels.begin(), [](std::uint16_t word) {
+    const unsigned red = word >> 11, green = (word >> 5) & 63u, blue = word & 31u;
+    return Rgb888{static_cast<std::uint8_t>(red << 3 | red >> 2), static_cast<std::uint8_t>(green << 2 | green >> 4),
+                  static_cast<std::uint8_t>(blue << 3 | blue >> 2)};
+  });
+  return picture;
+}
+
+Picture to_picture(const std::vector<std::uint32_t>& numbers, Size size) {
+  Picture picture(size.width, size.height);
+  std::transform(numbers.begin(), numbers.end(), picture.pixels.begin(), number_pixel);
+  return picture;
+}
+
+}  // namespace spanline::sim

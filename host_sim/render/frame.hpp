@@ -1,0 +1,74 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/parse.hpp"
+#include "image/picture.hpp"
+#include "scene/core_mesh.hpp"
+#include "scene/lighting.hpp"
+#include "spanline/frame/renderer.hpp"
+
+namespace spanline::sim {
+
+/// A frame to draw: all that the core needs to know, in its own terms.
+struct FrameRequest {
+  Size size;
+  int band_lines = 16;  ///< lines a band; the height of the picture for a whole frame
+  int depth_bits = 16;
+  DepthSense depth_sense = DepthSense::smaller_is_nearer;
+  Cull cull = Cull::back;
+  bool smooth = false;  ///< Gouraud
+  Camera camera;
+  SceneLight light;
+  Rgb888 background;
+  bool want_depth = false, want_ids = false, want_statistics = false;
+};
+
+/// The lectures' sets of polygons, triangles of all fans: total = outside + back + empty + obscured + visible.
+struct PolygonSets {
+  std::uint64_t total = 0, outside = 0, back = 0;
+  std::uint64_t empty = 0;                         ///< counted if statistics are asked for
+  std::optional<std::uint64_t> obscured, visible;  ///< unknown where no ids were kept
+};
+
+struct FrameStatistics {
+  PolygonSets polygons;
+  std::uint64_t pixels = 0, spans = 0, depth_tests = 0;
+  std::vector<std::pair<std::string, std::uint64_t>> peak_bytes;  ///< by pool, with "total"
+};
+
+/// What came out. Tables that were not asked for are empty.
+struct Frame {
+  Size size;
+  std::vector<std::uint16_t> pixels;  ///< RGB565, row-major
+  std::vector<std::uint32_t> depths;  ///< depth integers; background_depth(bits) where nothing was drawn
+  std::vector<std::uint32_t> ids;     ///< 1 + triangle number, 0 for the background
+  FrameStatistics statistics;
+};
+
+/// The depth that stands for the background in pictures of depth, whatever the sense.
+[[nodiscard]] constexpr std::uint32_t background_depth(int bits) { return (std::uint32_t{1} << bits) - 1; }
+
+/// Draws frames of one set of meshes; keeps the renderer's memory from frame to frame and lets it grow, so that no pool
+/// runs full.
+class FrameRenderer {
+ public:
+  explicit FrameRenderer(std::vector<CoreMesh> meshes);
+  /// Throws Failure if the core refuses the frame.
+  [[nodiscard]] Frame draw(const FrameRequest& request);
+
+ private:
+  std::vector<CoreMesh> meshes_;
+  Capacity capacity_;
+  std::vector<std::byte> memory_;
+};
+
+/// RGB565 as a picture: channels widened by repeating their upper bits.
+[[nodiscard]] Picture to_picture(const std::vector<std::uint16_t>& pixels, Size size);
+/// Numbers below 2^24 as a picture, R<<16 | G<<8 | B.
+[[nodiscard]] Picture to_picture(const std::vector<std::uint32_t>& numbers, Size size);
+
+}  // namespace spanline::sim

@@ -1,0 +1,48 @@
+#include "render/setup.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace spanline::sim {
+
+const ShadingEntry& default_shading(const Scene& scene) {
+  return find_shading(scene.normals_from_file ? "gouraud" : "flat");
+}
+
+Scene prepared_for(Scene scene, const ShadingEntry& shading) {
+  if (shading.lit && shading.smooth)
+    complete_vertex_normals(scene);
+  else
+    scene.vertex_normals.clear();
+  if (shading.smooth) {
+    if (scene.vertex_colours.empty()) simplify_colours(scene);
+    polygon_colours_to_vertices(scene);
+    scene.polygon_colours.clear();
+  } else {
+    complete_polygon_colours(scene);
+    simplify_colours(scene);
+    scene.vertex_colours.clear();
+  }
+  return welded(scene);
+}
+
+FrameRequest make_request(const RenderArguments& arguments, const ShadingEntry& shading, const View& view,
+                          const World& world, const SceneLight& light) {
+  FrameRequest request;
+  request.size = arguments.size;
+  request.band_lines =
+      arguments.visibility->full_frame ? arguments.size.height : std::min(arguments.band_lines, arguments.size.height);
+  request.depth_bits = arguments.depth_bits;
+  request.depth_sense = arguments.depth_sense;
+  request.cull = arguments.cull;
+  request.smooth = shading.smooth;
+  request.camera = to_camera(view, world, arguments.size);
+  request.light = shading.lit ? light : SceneLight{};
+  request.background = arguments.background;
+  request.want_depth = arguments.depth_output.has_value();
+  request.want_ids = arguments.ids_output.has_value();
+  request.want_statistics = arguments.statistics_output.has_value();
+  return request;
+}
+
+}  // namespace spanline::sim

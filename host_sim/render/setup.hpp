@@ -1,0 +1,18 @@
+#pragma once
+#include "commands/render_arguments.hpp"
+#include "render/frame.hpp"
+#include "scene/scene.hpp"
+
+namespace spanline::sim {
+
+/// How a model is shaded when nobody says: smoothly if its file has normals for its vertices, else flat.
+[[nodiscard]] const ShadingEntry& default_shading(const Scene& scene);
+
+/// The scene with just the tables that a shading uses, so that vertices join where they can.
+[[nodiscard]] Scene prepared_for(Scene scene, const ShadingEntry& shading);
+
+/// The frame that a view and the rest of the options ask for.
+[[nodiscard]] FrameRequest make_request(const RenderArguments& arguments, const ShadingEntry& shading, const View& view,
+                                        const World& world, const SceneLight& light);
+
+}  // namespace spanline::sim

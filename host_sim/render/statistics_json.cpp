@@ -1,0 +1,23 @@
+#include "render/statistics_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace spanline::sim {
+
+std::string to_json(const FrameStatistics& statistics) {
+  using Json = nlohmann::ordered_json;
+  const auto known = [](const std::optional<std::uint64_t>& count) { return count ? Json(*count) : Json(nullptr); };
+  const PolygonSets& polygons = statistics.polygons;
+  Json json;
+  json["polygons"] =
+      Json{{"total", polygons.total}, {"outside", polygons.outside},          {"back", polygons.back},
+           {"empty", polygons.empty}, {"obscured", known(polygons.obscured)}, {"visible", known(polygons.visible)}};
+  json["pixels"] = statistics.pixels;
+  json["spans"] = statistics.spans;
+  json["depth_tests"] = statistics.depth_tests;
+  json["peak_bytes"] = Json::object();
+  for (const auto& [pool, bytes] : statistics.peak_bytes) json["peak_bytes"][pool] = bytes;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace spanline::sim

@@ -1,0 +1,32 @@
+#include "render/studio.hpp"
+
+#include <utility>
+
+#include "import/model_file.hpp"
+#include "render/setup.hpp"
+
+namespace spanline::sim {
+
+Studio::Studio(const RenderArguments& arguments) : arguments_(arguments), scene_(import_model(arguments.model)) {
+  shading_ = arguments.shading != nullptr ? arguments.shading : &default_shading(scene_);
+  scene_ = prepared_for(std::move(scene_), *shading_);
+  view_ = resolve_view(arguments.view, scene_, arguments.size, arguments.turntable_frames > 0);
+  light_ = resolve_light(arguments.lights, arguments.ambient, view_);
+  world_ = choose_world(view_, scene_, arguments.size);
+  renderer_.emplace(to_core_meshes(scene_, world_));
+  if (arguments.panel != nullptr) panel_.emplace(*arguments.panel);
+}
+
+Frame Studio::draw(double turns) {
+  SceneLight light = light_;
+  if (turns != 0)
+    for (Vector3& towards : light.towards) towards = turned(view_, towards, turns);
+  const View view = turns == 0 ? view_ : turned(view_, turns);
+  return renderer_->draw(make_request(arguments_, *shading_, view, world_, light));
+}
+
+Picture Studio::picture(const Frame& frame) {
+  return panel_ ? panel_->show(frame.pixels, arguments_.band_lines) : to_picture(frame.pixels, frame.size);
+}
+
+}  // namespace spanline::sim

@@ -1,0 +1,33 @@
+#pragma once
+#include <optional>
+
+#include "commands/render_arguments.hpp"
+#include "render/frame.hpp"
+#include "render/panel_picture.hpp"
+
+namespace spanline::sim {
+
+/// A model made ready to be drawn from one camera, or from one that turns about it.
+class Studio {
+ public:
+  /// Reads the model. `arguments` outlives the studio.
+  explicit Studio(const RenderArguments& arguments);
+
+  /// The frame after the model has turned by `turns` of a full circle; 0 is the view as it was asked for.
+  [[nodiscard]] Frame draw(double turns);
+
+  /// The picture as it is seen, on the panel if there is one.
+  [[nodiscard]] Picture picture(const Frame& frame);
+
+ private:
+  const RenderArguments& arguments_;
+  Scene scene_;
+  const ShadingEntry* shading_ = nullptr;
+  View view_;
+  SceneLight light_;
+  World world_;
+  std::optional<FrameRenderer> renderer_;
+  std::optional<DeskPanel> panel_;
+};
+
+}  // namespace spanline::sim

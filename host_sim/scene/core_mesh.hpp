@@ -1,0 +1,35 @@
+#pragma once
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "scene/world.hpp"
+#include "spanline/model/mesh.hpp"
+
+namespace spanline::sim {
+
+/// A mesh of the core that owns its tables.
+struct CoreMesh {
+  std::vector<Vertex16> vertices;
+  std::vector<Vertex32> wide_vertices;
+  std::vector<std::uint16_t> indices;
+  std::vector<PackedNormal> polygon_normals, vertex_normals;
+  std::vector<Rgb888> polygon_colours, vertex_colours;
+  Rgb888 colour{};  ///< for the material, where there are no tables of colours
+  Vec3<std::int32_t> offset{};
+  int step_exponent = 0;
+  BoundingSphere bounds{};
+
+  [[nodiscard]] Mesh view() const;
+};
+
+/// The scene in the wide vertex form, steps of 2^−16 of a world unit, cut into meshes within Mesh's limits. Triangles
+/// stay in file order. Tables that the scene does not have stay empty.
+///
+/// All meshes state the bounds of the whole scene: the core chooses its exponents by them, and vertices that two meshes
+/// share must go to the same place on the screen.
+[[nodiscard]] std::vector<CoreMesh> to_core_meshes(const Scene& scene, const World& world);
+
+/// A sphere around all points: the centre of their box, and the farthest of them, rounded up. |component| ≤ 2^30.
+[[nodiscard]] BoundingSphere bounding_sphere(const std::vector<Vec3<std::int64_t>>& points);
+
+}  // namespace spanline::sim

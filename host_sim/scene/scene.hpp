@@ -1,0 +1,51 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/vector.hpp"
+#include "spanline/model/colour.hpp"
+
+namespace spanline::sim {
+
+/// A model as it comes from its file, in world space and in doubles: right-handed, y up, front faces counter-clockwise.
+///
+/// Triangles stand in file order; a polygon of n corners is the fan (0,1,2), (0,2,3) … Every table is either empty or
+/// complete.
+struct Scene {
+  using Triangle = std::array<std::uint32_t, 3>;
+
+  std::vector<Vector3> positions;
+  std::vector<Vector3> vertex_normals;   ///< unit length, one a vertex
+  std::vector<Rgb888> vertex_colours;    ///< one a vertex
+  std::vector<Triangle> triangles;       ///< vertex numbers
+  std::vector<Vector3> polygon_normals;  ///< one a triangle: its polygon's (Newell), zero if it has no area
+  std::vector<Rgb888> polygon_colours;   ///< one a triangle
+  Rgb888 colour{};                       ///< of everything, where there are no tables of colours
+  bool normals_from_file = false;        ///< the file itself has vertex normals
+};
+
+/// The box around all vertices that a triangle uses.
+struct BoundingBox {
+  Vector3 low, high;
+  [[nodiscard]] Vector3 centre() const { return low + (high - low) * 0.5; }
+};
+[[nodiscard]] BoundingBox bounding_box(const Scene& scene);
+
+/// The scene with vertices of equal attributes made one and unused ones dropped, in order of first use, so that
+/// triangles that share an edge share its vertices.
+[[nodiscard]] Scene welded(const Scene& scene);
+
+/// Fills `vertex_normals` where the file has none: the mean of the polygons around a position, weighted by their area.
+void complete_vertex_normals(Scene& scene);
+
+/// Fills `polygon_colours` from `vertex_colours`, the mean of the three corners, where there are none.
+void complete_polygon_colours(Scene& scene);
+
+/// Makes one `colour` of `polygon_colours` that are all the same.
+void simplify_colours(Scene& scene);
+
+/// Gives every triangle vertices of its own, with its polygon's colour, unless there are vertex colours already.
+void polygon_colours_to_vertices(Scene& scene);
+
+}  // namespace spanline::sim

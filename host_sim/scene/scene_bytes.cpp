@@ -1,0 +1,70 @@
+#include "scene/scene_bytes.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+namespace spanline::sim {
+namespace {
+
+template <class T>
+void put(std::vector<std::byte>& bytes, const std::vector<T>& table) {
+  const std::uint64_t count = table.size();
+  const auto* head = reinterpret_cast<const std::byte*>(&count);
+  bytes.insert(bytes.end(), head, head + sizeof count);
+  const auto* body = reinterpret_cast<const std::byte*>(table.data());
+  bytes.insert(bytes.end(), body, body + count * sizeof(T));
+}
+
+template <class T>
+bool take(std::span<const std::byte>& bytes, std::vector<T>& table) {
+  std::uint64_t count = 0;
+  if (bytes.size() < sizeof count) return false;
+  std::memcpy(&count, bytes.data(), sizeof count);
+  bytes = bytes.subspan(sizeof count);
+  if (count > bytes.size() / sizeof(T)) return false;
+  table.resize(count);
+  if (count > 0) std::memcpy(table.data(), bytes.data(), count * sizeof(T));
+  bytes = bytes.subspan(count * sizeof(T));
+  return true;
+}
+
+bool consistent(const Scene& scene) {
+  const auto none_or = [](std::size_t size, std::size_t wanted) { return size == 0 || size == wanted; };
+  const std::size_t vertices = scene.positions.size();
+  const std::size_t triangles = scene.triangles.size();
+  return none_or(scene.vertex_normals.size(), vertices) && none_or(scene.vertex_colours.size(), vertices) &&
+         none_or(scene.polygon_colours.size(), triangles) && scene.polygon_normals.size() == triangles &&
+         std::all_of(scene.positions.begin(), scene.positions.end(), finite) &&
+         std::all_of(scene.vertex_normals.begin(), scene.vertex_normals.end(), finite) &&
+         std::all_of(scene.polygon_normals.begin(), scene.polygon_normals.end(), finite) &&
+         std::all_of(scene.triangles.begin(), scene.triangles.end(), [vertices](const Scene::Triangle& t) {
+           return t[0] < vertices && t[1] < vertices && t[2] < vertices;
+         });
+}
+
+}  // namespace
+
+std::vector<std::byte> to_bytes(const Scene& scene) {
+  std::vector<std::byte> bytes{static_cast<std::byte>(scene.normals_from_file)};
+  put(bytes, scene.positions);
+  put(bytes, scene.vertex_normals);
+  put(bytes, scene.vertex_colours);
+  put(bytes, scene.triangles);
+  put(bytes, scene.polygon_normals);
+  put(bytes, scene.polygon_colours);
+  return bytes;
+}
+
+std::optional<Scene> scene_from_bytes(std::span<const std::byte> bytes) {
+  Scene scene;
+  if (bytes.empty()) return std::nullopt;
+  scene.normals_from_file = bytes[0] != std::byte{0};
+  bytes = bytes.subspan(1);
+  const bool whole = take(bytes, scene.positions) && take(bytes, scene.vertex_normals) &&
+                     take(bytes, scene.vertex_colours) && take(bytes, scene.triangles) &&
+                     take(bytes, scene.polygon_normals) && take(bytes, scene.polygon_colours) && bytes.empty();
+  if (!whole || !consistent(scene)) return std::nullopt;
+  return scene;
+}
+
+}  // namespace spanline::sim

@@ -1,0 +1,76 @@
+#include "scene/world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/failure.hpp"
+#include "scene/core_values.hpp"
+
+namespace spanline::sim {
+namespace {
+
+/// Coordinates and distances stay within 2^14 of the 2^15 that Q16.16 holds: differences must fit, too.
+constexpr int world_exponent = 14;
+constexpr double greatest_focal = 32767;
+
+/// The least n with value < 2^n.
+int exponent_of(double value) {
+  int exponent = 0;
+  std::frexp(value, &exponent);
+  return exponent;
+}
+
+/// An orthographic eye may stand anywhere along its line of sight: this moves it so that the near plane lies a little
+/// in front of it.
+View with_positive_near(View view) {
+  if (!view.orthographic) return view;
+  const double wanted = (view.far_plane - view.near_plane) / 16;
+  const double shift = wanted - view.near_plane;
+  view.eye = view.eye + view.backwards * shift;
+  view.target = view.target + view.backwards * shift;
+  view.near_plane += shift;
+  view.far_plane += shift;
+  return view;
+}
+
+}  // namespace
+
+World choose_world(const View& given, const Scene& scene, Size size) {
+  const View view = with_positive_near(given);
+  const BoundingBox box = bounding_box(scene);
+  World world;
+  world.origin = box.centre();
+  const double greatest =
+      std::max({length(box.high - box.low) / 2, length(given.target - world.origin) + length(view.eye - given.target),
+                view.far_plane});
+  world.exponent = world_exponent - exponent_of(greatest);
+  if (view.orthographic) {
+    // A pixel then is one to two world units: the scale of the picture, Q16.16, keeps all its bits.
+    const double pixels_per_unit = size.height / view.ortho_height;
+    world.exponent = std::min(world.exponent, exponent_of(pixels_per_unit));
+  }
+  return world;
+}
+
+Camera to_camera(const View& given, const World& world, Size size) {
+  const View view = with_positive_near(given);
+  Camera camera;
+  const double focal = view.orthographic ? std::ldexp(size.height / view.ortho_height, -world.exponent)
+                                         : size.height / (2 * std::tan(view.field_of_view * std::numbers::pi / 360));
+  const char* const option = view.orthographic ? "--ortho" : "--fov";
+  if (!(focal < greatest_focal)) throw UsageError(std::string(option) + ": the view is too narrow for this picture");
+  camera.focal = to_fixed<Q16_16>(focal);
+  if (camera.focal.raw() <= 0) throw UsageError(std::string(option) + ": the view is too wide for this picture");
+  camera.projection = view.orthographic ? Projection::orthographic : Projection::perspective;
+  const Vector3 eye = world.to_world(view.eye);
+  camera.eye = {to_fixed<Q16_16>(eye.x), to_fixed<Q16_16>(eye.y), to_fixed<Q16_16>(eye.z)};
+  camera.axes = {{to_direction(view.right), to_direction(view.above), to_direction(view.backwards)}};
+  camera.near_plane = to_fixed<Q16_16>(std::ldexp(view.near_plane, world.exponent));
+  camera.far_plane = to_fixed<Q16_16>(std::ldexp(view.far_plane, world.exponent));
+  if (camera.near_plane.raw() <= 0 || camera.near_plane >= camera.far_plane)
+    throw UsageError("--near and --far lie too far apart, or too close to each other, for fixed-point numbers");
+  return camera;
+}
+
+}  // namespace spanline::sim

@@ -1,0 +1,28 @@
+#pragma once
+#include "base/parse.hpp"
+#include "base/vector.hpp"
+#include "scene/scene.hpp"
+#include "scene/view.hpp"
+#include "spanline/model/camera.hpp"
+
+namespace spanline::sim {
+
+/// Where a scene stands in the core's world of Q16.16: world = (model − origin) · 2^exponent. A power of two changes
+/// neither the picture nor, as depth depends on ratios only, any depth.
+struct World {
+  Vector3 origin{};
+  int exponent = 0;
+
+  [[nodiscard]] Vector3 to_world(Vector3 model) const {
+    const Vector3 d = model - origin;
+    return {std::ldexp(d.x, exponent), std::ldexp(d.y, exponent), std::ldexp(d.z, exponent)};
+  }
+};
+
+/// The world that holds the scene, and an eye that turns about its target, as large as Q16.16 allows.
+[[nodiscard]] World choose_world(const View& view, const Scene& scene, Size size);
+
+/// The core's camera. Throws UsageError if the view is too narrow or its planes lie too far apart for fixed point.
+[[nodiscard]] Camera to_camera(const View& view, const World& world, Size size);
+
+}  // namespace spanline::sim
