@@ -1,4 +1,6 @@
-# Hard-float ABI with the FPU registers forbidden: any float at run time is a compile error.
+# For the hard-float ABI, with floating-point registers forbidden in the project's own code (nofloat.hpp): any float at
+# run time is a compile error.
 set(SPANLINE_PRESET arm-m4-nofloat)
-set(spanline_core_flags "-mcpu=cortex-m4 -mfloat-abi=hard -mfpu=fpv4-sp-d16 -mgeneral-regs-only")
+set(spanline_core_flags
+    "-mcpu=cortex-m4 -mfloat-abi=hard -mfpu=fpv4-sp-d16 -include ${CMAKE_CURRENT_LIST_DIR}/nofloat.hpp")
 include(${CMAKE_CURRENT_LIST_DIR}/arm-none-eabi.cmake)

@@ -25,6 +25,7 @@ RULES = {
     "firmware/boards": ["hal"],
     "firmware/scenes": ["core"],
     "firmware/apps": ["core", "hal", "firmware/scenes", "firmware/boards", "build/generated"],
+    "firmware/toolchains": [],
     "host_sim": ["core", "hal", "firmware/scenes"],
 }
 # The rooms that get along with the freestanding part of the standard library, and nothing else in angle brackets.
