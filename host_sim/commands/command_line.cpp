@@ -31,6 +31,18 @@ void declare_all(CLI::App& app, std::span<const std::unique_ptr<Command>> comman
   }
 }
 
+/// CLI11 would say that a subcommand is missing where it does not know the one given.
+void check_command(std::span<const std::unique_ptr<Command>> commands, int argc, const char* const* argv) {
+  std::string names;
+  if (argc > 1 && argv[1][0] == '-') return;
+  for (const auto& command : commands) {
+    if (argc > 1 && std::string(argv[1]) == command->name()) return;
+    names += (names.empty() ? "" : ", ") + std::string(command->name());
+  }
+  if (argc <= 1) throw UsageError("no command given; there is " + names + " (spanline --help)");
+  throw UsageError("'" + std::string(argv[1]) + "' is no command; there is " + names);
+}
+
 }  // namespace
 
 int run_command_line(int argc, const char* const* argv) {
@@ -38,6 +50,7 @@ int run_command_line(int argc, const char* const* argv) {
   const std::array<std::unique_ptr<Command>, 4> commands{make_render_command(), make_view_command(),
                                                          make_convert_command(), make_list_command()};
   try {
+    check_command(commands, argc, argv);
     declare_all(app, commands);
     app.parse(argc, argv);
     if (std::fflush(stdout) != 0) return report("standard output cannot be written", 1);

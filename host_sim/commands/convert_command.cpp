@@ -34,11 +34,12 @@ class ConvertCommand final : public Command {
     if (output_.empty()) throw UsageError("-o: the name is empty");
     if (same_file(output_, model_)) throw UsageError("-o names the model itself");
     OutputFile file(output_);
-    const CoreMesh mesh = load();
+    const Scene scene = load();
+    const CoreMesh mesh = to_valid_mesh(scene);
     file.write(write_header(mesh, name_.value_or(identifier_from(output_)),
                             std::filesystem::path(model_).filename().string()));
     file.commit();
-    std::fputs(memory_report(mesh).c_str(), stdout);
+    std::fputs(memory_report(mesh, measure_need(scene)).c_str(), stdout);
   }
 
   [[nodiscard]] const char* name() const override { return "convert"; }
@@ -47,13 +48,17 @@ class ConvertCommand final : public Command {
   }
 
  private:
-  CoreMesh load() const {
+  [[nodiscard]] Scene load() const {
     Scene scene = import_model(model_);
     complete_vertex_normals(scene);
     complete_polygon_colours(scene);
+    return welded(scene);
+  }
+
+  [[nodiscard]] CoreMesh to_valid_mesh(const Scene& scene) const {
     CoreMesh mesh;
     try {
-      mesh = to_flash_mesh(welded(scene));
+      mesh = to_flash_mesh(scene);
     } catch (const Failure& failure) {
       throw file_failure(model_, failure.what());
     }

@@ -71,8 +71,13 @@ void append_tables(std::string& text, const CoreMesh& mesh) {
 
 void append_mesh(std::string& text, const CoreMesh& mesh, const std::string& name) {
   text += "inline constexpr spanline::Mesh " + name + "{\n";
-  for (const TableSize& table : table_sizes(mesh))
-    text += "    ." + table.name + " = " + name + "_tables::" + table.name + ",\n";
+  const std::vector<TableSize> filled = table_sizes(mesh);
+  // Empty tables are named too: compilers warn of members without an initialiser.
+  for (const std::string table : {"vertices", "wide_vertices", "indices", "corners", "polygon_normals",
+                                  "vertex_normals", "polygon_colours", "vertex_colours"}) {
+    const bool present = std::any_of(filled.begin(), filled.end(), [&](const TableSize& t) { return t.name == table; });
+    text += "    ." + table + " = " + (present ? name + "_tables::" + table : "{}") + ",\n";
+  }
   const auto& centre = mesh.bounds.centre;
   text += "    .offset = " + triple(mesh.offset.x, mesh.offset.y, mesh.offset.z) + ",\n";
   text += "    .step_exponent = " + std::to_string(mesh.step_exponent) + ",\n";

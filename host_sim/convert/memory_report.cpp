@@ -3,58 +3,55 @@
 #include <array>
 #include <cstdio>
 
+#include "convert/board_sizes.hpp"
 #include "convert/header_writer.hpp"
-#include "spanline/frame/renderer.hpp"
 
 namespace spanline::sim {
 namespace {
 
-/// The renderer of small boards: 16-bit depth, RGB565, all shadings.
-using BoardTraits = FullTraits<>;
+/// Lines of one kind of memory, and their sum.
+class Section {
+ public:
+  explicit Section(const char* memory) : memory_(memory) {}
+  void add(const std::string& name, std::size_t bytes) {
+    append(name, bytes);
+    total_ += bytes;
+  }
+  [[nodiscard]] std::string finish() {
+    append("total", total_);
+    return std::move(text_);
+  }
 
-std::string line(const char* memory, const std::string& name, std::size_t bytes) {
-  std::array<char, 128> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%-5s  %-24s %9zu bytes\n", memory, name.c_str(), bytes);
-  return buffer.data();
-}
+ private:
+  void append(const std::string& name, std::size_t bytes) {
+    std::array<char, 160> buffer{};
+    std::snprintf(buffer.data(), buffer.size(), "%-5s  %-44s %9zu bytes\n", memory_, name.c_str(), bytes);
+    text_ += buffer.data();
+  }
 
-/// The pools that this mesh alone may fill, whatever the camera; clipped pieces apart.
-Capacity pools(const CoreMesh& mesh) {
-  Capacity capacity;
-  capacity.vertices = static_cast<std::uint32_t>(mesh.vertices.size());
-  capacity.shades = capacity.vertices;
-  capacity.polygons = static_cast<std::uint32_t>(mesh.indices.size() / 3);
-  capacity.active = capacity.polygons;
-  return capacity;
+  const char* memory_;
+  std::string text_;
+  std::size_t total_ = 0;
+};
+
+std::string counted(const char* name, std::size_t count) {
+  return std::string(name) + " (" + std::to_string(count) + ")";
 }
 
 }  // namespace
 
-std::string memory_report(const CoreMesh& mesh) {
-  std::string text;
-  std::size_t flash = sizeof(Mesh);
-  for (const TableSize& table : table_sizes(mesh)) {
-    text += line("flash", table.name, table.bytes);
-    flash += table.bytes;
-  }
-  text += line("flash", "mesh object (this host)", sizeof(Mesh));
-  text += line("flash", "total", flash);
-  const Capacity whole = pools(mesh);
-  const auto bytes = [](const Capacity& capacity) { return Renderer<BoardTraits>::bytes_needed(capacity); };
-  const auto difference = [&](const char* name, std::uint32_t Capacity::*pool) {
-    Capacity without = whole;
-    without.*pool = 0;
-    text += line("ram", name, bytes(whole) - bytes(without));
-  };
-  difference("vertices", &Capacity::vertices);
-  difference("shades (Gouraud only)", &Capacity::shades);
-  difference("polygons", &Capacity::polygons);
-  difference("active (at most)", &Capacity::active);
-  Capacity none = whole;
-  none.vertices = none.shades = none.polygons = none.active = 0;
-  text += line("ram", "320x240, bands of 16", bytes(none));
-  text += line("ram", "total (at most)", bytes(whole));
-  return text;
+std::string memory_report(const CoreMesh& mesh, const FrameNeed& need) {
+  Section flash("flash");
+  for (const TableSize& table : table_sizes(mesh)) flash.add(table.name, table.bytes);
+  flash.add("mesh", board::mesh_object);
+  Section ram("ram");
+  ram.add(counted("vertices", mesh.vertices.size()), mesh.vertices.size() * board::vertex);
+  ram.add(counted("shades, for Gouraud shading", mesh.vertices.size()), mesh.vertices.size() * board::shade);
+  ram.add(counted("polygons, framed and turned", need.polygons), need.polygons * board::polygon);
+  ram.add(counted("active, framed and turned", need.active), need.active * board::active);
+  ram.add(counted("instances", 1), board::instance);
+  ram.add("320x240 in bands of 16, two of colour", board::bands_of_16);
+  return flash.finish() + ram.finish();
 }
 
 }  // namespace spanline::sim

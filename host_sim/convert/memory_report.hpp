@@ -1,11 +1,13 @@
 #pragma once
 #include <string>
 
+#include "convert/frame_need.hpp"
 #include "scene/core_mesh.hpp"
 
 namespace spanline::sim {
 
-/// What `convert` prints: flash by table, and the RAM that a frame of 320×240 with this mesh alone needs.
-[[nodiscard]] std::string memory_report(const CoreMesh& mesh);
+/// What `convert` prints: the bytes of flash by table, and the RAM of a renderer on a 32-bit board that draws this mesh
+/// alone, pool by pool.
+[[nodiscard]] std::string memory_report(const CoreMesh& mesh, const FrameNeed& need);
 
 }  // namespace spanline::sim

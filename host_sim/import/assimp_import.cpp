@@ -41,6 +41,7 @@ class ModelFiles final : public Assimp::DefaultIOSystem {
 /// Messages may be several lines long; one is for the user.
 std::string first_line(std::string message) {
   message.erase(std::min(message.find_first_of("\r\n"), message.size()));
+  if (message.find("bad_alloc") != std::string::npos) return "it asks for too much memory";
   return message.empty() ? "unknown error" : message;
 }
 

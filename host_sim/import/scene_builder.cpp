@@ -41,16 +41,21 @@ ColourFactor to_factor(const aiColor4D& c) {
   return {static_cast<double>(c.r), static_cast<double>(c.g), static_cast<double>(c.b)};
 }
 
-/// The diffuse colour, unless Assimp made the material up because the file has none.
+/// Importers make a material up where a file has none: without a name or with the default one, white or 0.6 grey.
+bool made_up(const aiMaterial& material, const aiColor4D& colour) {
+  aiString name;
+  const bool named = material.Get(AI_MATKEY_NAME, name) == aiReturn_SUCCESS;
+  if (named && std::string_view(name.C_Str()) != AI_DEFAULT_MATERIAL_NAME) return false;
+  return colour.r == colour.g && colour.g == colour.b && (colour.r == ai_real(1) || colour.r == ai_real(0.6));
+}
+
+/// The diffuse colour of a material that is the file's own.
 std::optional<ColourFactor> material_colour(const aiScene& file, unsigned index) {
   if (index >= file.mNumMaterials) return std::nullopt;
   const aiMaterial& material = *file.mMaterials[index];
-  aiString name;
-  if (material.Get(AI_MATKEY_NAME, name) == aiReturn_SUCCESS &&
-      std::string_view(name.C_Str()) == AI_DEFAULT_MATERIAL_NAME)
-    return std::nullopt;
   aiColor4D colour;
-  if (material.Get(AI_MATKEY_COLOR_DIFFUSE, colour) != aiReturn_SUCCESS) return std::nullopt;
+  if (material.Get(AI_MATKEY_COLOR_DIFFUSE, colour) != aiReturn_SUCCESS || made_up(material, colour))
+    return std::nullopt;
   return to_factor(colour);
 }
 

@@ -1,10 +1,12 @@
 #include "import/text_checks.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
-#include <sstream>
 #include <stdexcept>
 #include <string_view>
+
+#include "import/ply_check.hpp"
 
 namespace spanline::sim {
 namespace {
@@ -15,17 +17,44 @@ std::uint32_t little_endian_u32(std::string_view bytes) {
   return value;
 }
 
-/// The last line of an OBJ file, if it lacks its end of line, must still be a whole vertex or face.
+std::string_view take_word(std::string_view& line) {
+  constexpr std::string_view blanks = " \t\r";
+  line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+  const std::string_view word = line.substr(0, std::min(line.find_first_of(blanks), line.size()));
+  line.remove_prefix(word.size());
+  return word;
+}
+
+bool is_number(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  // A number out of range is for the check of coordinates, which names it better.
+  return !word.empty() && (error == std::errc{} || error == std::errc::result_out_of_range) &&
+         end == word.data() + word.size();
+}
+
+/// The importer skips vertices that it cannot read, and every index behind them would name another vertex. A last line
+/// without its end must still be a whole face.
 void check_obj(const std::string& content) {
-  if (content.back() == '\n' || content.back() == '\r') return;
-  const std::size_t start = content.find_last_of('\n');
-  std::istringstream line(content.substr(start == std::string::npos ? 0 : start + 1));
-  std::string keyword, field;
-  line >> keyword;
-  if (keyword != "v" && keyword != "f" && keyword != "vn") return;
-  int fields = 0;
-  while (line >> field) ++fields;
-  if (fields < 3) throw std::runtime_error("is cut off in its last line");
+  std::size_t number = 0;
+  for (std::size_t start = 0; start < content.size();) {
+    const std::size_t end = std::min(content.find('\n', start), content.size());
+    std::string_view line = std::string_view(content).substr(start, end - start);
+    start = end + 1;
+    ++number;
+    if (line.find('\\') != std::string_view::npos) continue;  // goes on in the next line
+    const std::string_view keyword = take_word(line);
+    if (keyword == "v") {
+      for (int i = 0; i < 3; ++i)
+        if (!is_number(take_word(line)))
+          throw std::runtime_error("has a vertex without three numbers in line " + std::to_string(number));
+    }
+    if (keyword == "f" && end == content.size()) {
+      for (int i = 0; i < 3; ++i)
+        if (take_word(line).empty()) throw std::runtime_error("is cut off in its last line");
+    }
+  }
 }
 
 /// A binary STL has 84 bytes of header and 50 a triangle; a text one ends in "endsolid".
@@ -56,7 +85,7 @@ void check_complete(ModelFormat format, const std::string& content) {
   if (format == ModelFormat::obj) check_obj(content);
   if (format == ModelFormat::stl) check_stl(content);
   if (format == ModelFormat::glb) check_glb(content);
-  if (format == ModelFormat::ply && !content.starts_with("ply")) throw std::runtime_error("is not a PLY file");
+  if (format == ModelFormat::ply) check_ply(content);
 }
 
 void blank_obj_groups(std::string& content) {

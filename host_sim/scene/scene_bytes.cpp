@@ -45,7 +45,9 @@ bool consistent(const Scene& scene) {
 }  // namespace
 
 std::vector<std::byte> to_bytes(const Scene& scene) {
-  std::vector<std::byte> bytes{static_cast<std::byte>(scene.normals_from_file)};
+  std::vector<std::byte> bytes;
+  bytes.reserve(256);
+  bytes.push_back(static_cast<std::byte>(scene.normals_from_file));
   put(bytes, scene.positions);
   put(bytes, scene.vertex_normals);
   put(bytes, scene.vertex_colours);

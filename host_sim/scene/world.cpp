@@ -13,6 +13,9 @@ namespace {
 /// Coordinates and distances stay within 2^14 of the 2^15 that Q16.16 holds: differences must fit, too.
 constexpr int world_exponent = 14;
 constexpr double greatest_focal = 32767;
+/// Binary digits of the world that an orthographic view may give up for the scale of its picture: 2^4 units with their
+/// 16 fraction bits are left for the farthest depth.
+constexpr int depth_reserve = 10;
 
 /// The least n with value < 2^n.
 int exponent_of(double value) {
@@ -46,9 +49,10 @@ World choose_world(const View& given, const Scene& scene, Size size) {
                 view.far_plane});
   world.exponent = world_exponent - exponent_of(greatest);
   if (view.orthographic) {
-    // A pixel then is one to two world units: the scale of the picture, Q16.16, keeps all its bits.
-    const double pixels_per_unit = size.height / view.ortho_height;
-    world.exponent = std::min(world.exponent, exponent_of(pixels_per_unit));
+    // A world unit then is half a pixel to one: the scale of the picture, Q16.16, keeps all its bits. A model that is
+    // tiny in the picture keeps those of its depths instead.
+    const int of_picture = exponent_of(size.height / view.ortho_height);
+    world.exponent = std::max(std::min(world.exponent, of_picture), world.exponent - depth_reserve);
   }
   return world;
 }

@@ -1,0 +1,17 @@
+#pragma once
+#include <cstddef>
+
+#include "scene/scene.hpp"
+
+namespace spanline::sim {
+
+/// Entries of the pools that depend on the camera.
+struct FrameNeed {
+  std::size_t polygons = 0;  ///< that face the eye
+  std::size_t active = 0;    ///< that reach across a band's edge
+};
+
+/// The most that frames of 320×240 in bands of 16 lines take, with the whole model framed and seen from 24 sides.
+[[nodiscard]] FrameNeed measure_need(const Scene& scene);
+
+}  // namespace spanline::sim

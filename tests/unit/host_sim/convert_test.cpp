@@ -1,0 +1,122 @@
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "base/failure.hpp"
+#include "convert/flash_mesh.hpp"
+#include "convert/header_writer.hpp"
+#include "model_files.hpp"
+#include "spanline/model/validate.hpp"
+#include "tool.hpp"
+
+// Made by the real command while this test was built.
+#include "coloured.hpp"
+#include "cube.hpp"
+
+namespace spanline::sim::test {
+namespace {
+
+constexpr const Mesh& cube = spanline_models::cube;
+constexpr const Mesh& coloured = spanline_models::two_colours;
+
+static_assert(cube.polygon_count() == 12 && cube.vertex_count() == 8, "tables are constants");
+
+TEST(Convert, TablesAreValidMeshes) {
+  EXPECT_TRUE(validate(cube).ok()) << to_string(validate(cube).fault);
+  EXPECT_TRUE(validate(coloured).ok()) << to_string(validate(coloured).fault);
+}
+
+TEST(Convert, PositionsAreThoseOfTheFile) {
+  for (const Vertex16& v : cube.vertices) {
+    for (const std::int32_t steps : {v.x + cube.offset.x, v.y + cube.offset.y, v.z + cube.offset.z})
+      EXPECT_NEAR(std::fabs(std::ldexp(steps, cube.step_exponent)), 1, std::ldexp(1, cube.step_exponent));
+  }
+  // The finest step whose 65,536 values span an edge of 2, both ends included.
+  EXPECT_EQ(cube.step_exponent, -14);
+  // The first triangle of the file is 5 6 7.
+  EXPECT_EQ(cube.indices[0], 0);
+  EXPECT_EQ(cube.polygon_normals[0], PackedNormal(0, 0, 511));
+  EXPECT_EQ(cube.vertex_normals.size(), 8U);
+  EXPECT_TRUE(cube.polygon_colours.empty());
+  EXPECT_TRUE(cube.vertex_colours.empty());
+}
+
+TEST(Convert, ColoursComeFromMaterials) {
+  ASSERT_EQ(coloured.polygon_colours.size(), 2U);
+  EXPECT_EQ(coloured.polygon_colours[0], (Rgb888{255, 0, 0}));
+  EXPECT_EQ(coloured.polygon_colours[1], (Rgb888{0, 0, 255}));
+}
+
+TEST(Convert, FarFromTheOriginOffsetsKeepPrecision) {
+  Scene scene;
+  scene.positions = {{1000, 2000, -3000}, {1001, 2000, -3000}, {1000, 2001, -3000}};
+  scene.triangles = {{0, 1, 2}};
+  const CoreMesh mesh = to_flash_mesh(scene);
+  EXPECT_TRUE(validate(mesh.view()).ok());
+  EXPECT_EQ(std::ldexp(mesh.vertices[0].x + mesh.offset.x, mesh.step_exponent), 1000);
+  EXPECT_EQ(std::ldexp(mesh.vertices[1].x + mesh.offset.x, mesh.step_exponent), 1001);
+  EXPECT_EQ(std::ldexp(mesh.vertices[0].z + mesh.offset.z, mesh.step_exponent), -3000);
+}
+
+TEST(Convert, LimitsAreNamed) {
+  const auto message_for = [](const Scene& scene) {
+    try {
+      static_cast<void>(to_flash_mesh(scene));
+    } catch (const Failure& failure) {
+      return std::string(failure.what());
+    }
+    return std::string();
+  };
+  Scene vertices;
+  for (int i = 0; i < 65538; ++i) vertices.positions.push_back({static_cast<double>(i), 0, 0});
+  for (std::uint32_t i = 0; i + 2 < 65538; i += 3) vertices.triangles.push_back({i, i + 1, i + 2});
+  EXPECT_NE(message_for(vertices).find("65535"), std::string::npos);
+  Scene triangles;
+  triangles.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  triangles.triangles.assign(32768, {0, 1, 2});
+  EXPECT_NE(message_for(triangles).find("32767"), std::string::npos);
+  Scene far_away;
+  far_away.positions = {{1e14, 0, 0}, {1e14, 1, 0}, {1e14, 0, 1}};
+  far_away.triangles = {{0, 1, 2}};
+  EXPECT_NE(message_for(far_away), "");
+}
+
+TEST(Convert, Identifiers) {
+  for (const char* name : {"a", "bunny_2", "Mesh", "class_"}) EXPECT_TRUE(is_identifier(name)) << name;
+  for (const char* name : {"", "2a", "_a", "a__b", "class", "a-b", "co_await", "\xc3\xa4"})
+    EXPECT_FALSE(is_identifier(name)) << name;
+  EXPECT_EQ(identifier_from("/x/My model (2).hpp"), "My_model_2_");
+  EXPECT_EQ(identifier_from("3d.hpp"), "model_3d");
+  EXPECT_EQ(identifier_from("class.hpp"), "class_mesh");
+  for (const char* name : {"My model (2).hpp", "3d.hpp", "class.hpp", "__.hpp", "\xc3\xa4.hpp", ".hpp", ""})
+    EXPECT_TRUE(is_identifier(identifier_from(name))) << name;
+}
+
+using ConvertTest = ToolTest;
+
+TEST_F(ConvertTest, PrintsFlashAndRam) {
+  const ToolRun result = run({"convert", make_file("a.obj", cube_obj()), "-o", in_folder("a.hpp")});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  std::istringstream lines(result.output);
+  std::map<std::string, std::size_t> sums, totals;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string memory, unit;
+    words >> memory;
+    const std::size_t end = line.rfind(" bytes"), start = line.rfind(' ', end - 1);
+    const std::size_t bytes = std::stoul(line.substr(start, end - start));
+    (line.find("total") == std::string::npos ? sums : totals)[memory] += bytes;
+  }
+  EXPECT_EQ(sums, totals);
+  EXPECT_EQ(totals.size(), 2U);
+}
+
+TEST_F(ConvertTest, SameModelSameBytes) {
+  const std::string model = make_file("a.obj", cube_obj());
+  EXPECT_EQ(run({"convert", model, "-o", in_folder("a.hpp"), "--name", "m"}).exit_code, 0);
+  EXPECT_EQ(run({"convert", model, "-o", in_folder("b.hpp"), "--name", "m"}).exit_code, 0);
+  EXPECT_EQ(read_text(in_folder("a.hpp")), read_text(in_folder("b.hpp")));
+}
+
+}  // namespace
+}  // namespace spanline::sim::test

@@ -1,0 +1,20 @@
+#pragma once
+#include <string>
+
+/// Small model files, written as text by the tests that read them.
+namespace spanline::sim::test {
+
+/// A triangle (0,0,0) (1,0,0) (0,1,0) in each format.
+[[nodiscard]] std::string triangle_obj();
+[[nodiscard]] std::string triangle_ply();
+[[nodiscard]] std::string triangle_binary_ply();
+[[nodiscard]] std::string triangle_stl();
+[[nodiscard]] std::string triangle_binary_stl();
+/// `node` is the JSON of the members of its node, such as "\"scale\": [1, 2, 3]".
+[[nodiscard]] std::string triangle_gltf(const std::string& node = "", const std::string& material = "");
+[[nodiscard]] std::string triangle_glb();
+
+/// A cube of edge 2 about the origin, six quadrilaterals counter-clockwise from outside.
+[[nodiscard]] std::string cube_obj();
+
+}  // namespace spanline::sim::test
