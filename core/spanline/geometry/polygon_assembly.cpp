@@ -18,7 +18,7 @@ auto signed_area(const ScreenVertex& a, const ScreenVertex& b, const ScreenVerte
 
 }  // namespace
 
-void PolygonAssembly::append(std::int32_t band, Link source) {
+inline void PolygonAssembly::append(std::int32_t band, Link source) {
   if (table_.polygon_count < table_.references.size())
     table_.append(band, source);
   else
@@ -38,15 +38,22 @@ void PolygonAssembly::append_fan(std::int32_t band, const FanTriangle& fan) {
   table_.append(band, static_cast<Link>(fan_flag | table_.fan_count++));
 }
 
-/// Whether a triangle without clip codes is to be drawn, and where it starts; counts it where it is not.
+/// Whether a triangle without clip codes is to be drawn, and where it starts; counts it in `back` where its side rules
+/// it out.
 template <bool Scissored>
-bool PolygonAssembly::take(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, std::int32_t& band) {
+inline bool PolygonAssembly::take(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c,
+                                  std::int32_t& band, std::uint32_t& back) const {
   const auto area = signed_area<Scissored>(a, b, c);
-  if (culled(area)) {
-    ++counts.back;
+  if (area >= 0) {
+    if (area == 0) return false;
+    if (cull_ == Cull::back) {
+      ++back;
+      return false;
+    }
+  } else if (cull_ == Cull::front) {
+    ++back;
     return false;
   }
-  if (area == 0) return false;
   const std::int32_t ay = a.y, by = b.y, cy = c.y;
   std::int32_t first = row_at(std::min(ay, std::min(by, cy))) - row_bias;
   std::int32_t end = row_at(std::max(ay, std::max(by, cy))) - row_bias;
@@ -64,6 +71,7 @@ void PolygonAssembly::run_triangles(const Mesh& mesh, const ScreenVertex* vertic
   const std::uint16_t* index = mesh.indices.data();
   const auto triangles = static_cast<Link>(mesh.indices.size() / 3);
   counts.total += triangles;
+  std::uint32_t back = 0;
   for (Link triangle = 0; triangle < triangles; ++triangle, index += 3) {
     const ScreenVertex& a = vertices[index[0]];
     const ScreenVertex& b = vertices[index[1]];
@@ -80,8 +88,9 @@ void PolygonAssembly::run_triangles(const Mesh& mesh, const ScreenVertex* vertic
       }
     }
     std::int32_t band;
-    if (take<Scissored>(a, b, c, band)) append(band, triangle);
+    if (take<Scissored>(a, b, c, band, back)) append(band, triangle);
   }
+  counts.back += back;
 }
 
 void PolygonAssembly::run_polygons(const Mesh& mesh, const ScreenVertex* vertices, bool scissored,
@@ -101,7 +110,8 @@ void PolygonAssembly::run_polygons(const Mesh& mesh, const ScreenVertex* vertice
         clip_triangle(mesh, clip, vertices, corner, triangle, polygon);
       } else {
         std::int32_t band;
-        if (take<true>(a, b, c, band)) append_fan(band, {{corner[0], corner[1], corner[2]}, triangle, polygon});
+        if (take<true>(a, b, c, band, counts.back))
+          append_fan(band, {{corner[0], corner[1], corner[2]}, triangle, polygon});
       }
     }
     index += corners;
@@ -138,12 +148,10 @@ void PolygonAssembly::clip_triangle(const Mesh& mesh, const ClipContext& clip, c
   }
   bool back = false, front = false;
   for (unsigned i = 1; i + 1 < piece.count; ++i) {
-    const std::uint32_t back_before = counts.back;
+    std::uint32_t culled = 0;
     std::int32_t band;
-    const bool drawn = take<true>(screen[0], screen[i], screen[i + 1], band);
-    back |= counts.back != back_before;
-    front |= counts.back == back_before;
-    counts.back = back_before;
+    const bool drawn = take<true>(screen[0], screen[i], screen[i + 1], band, culled);
+    (culled != 0 ? back : front) = true;
     if (!drawn) continue;
     for (const unsigned j : {0u, i, i + 1}) {
       if (number[j] != no_link) continue;
@@ -175,12 +183,14 @@ void PolygonAssembly::run_screen(std::span<const ScreenVertex> vertices) {
   counts.total += triangles;
   for (Link triangle = 0; triangle < triangles; ++triangle) {
     const ScreenVertex* v = &vertices[std::size_t{3} * triangle];
-    if ((v[0].depth_word & v[1].depth_word & v[2].depth_word & 0xff) != 0) {
-      ++counts.outside;
-      continue;
-    }
     std::int32_t band;
-    if (take<true>(v[0], v[1], v[2], band)) append(band, triangle);
+    if (((v[0].depth_word | v[1].depth_word | v[2].depth_word) & 0xff) == 0) {
+      if (take<false>(v[0], v[1], v[2], band, counts.back)) append(band, triangle);
+    } else if ((v[0].depth_word & v[1].depth_word & v[2].depth_word & 0xff) != 0) {
+      ++counts.outside;
+    } else if (take<true>(v[0], v[1], v[2], band, counts.back)) {
+      append(band, triangle);
+    }
   }
 }
 

@@ -75,15 +75,12 @@ class PolygonAssembly {
   void run_triangles(const Mesh& mesh, const ScreenVertex* vertices, const ClipContext& clip);
   void run_polygons(const Mesh& mesh, const ScreenVertex* vertices, bool scissored, const ClipContext& clip);
   template <bool Scissored>
-  bool take(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, std::int32_t& band);
+  bool take(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, std::int32_t& band,
+            std::uint32_t& back) const;
   void append(std::int32_t band, Link source);
   void append_fan(std::int32_t band, const FanTriangle& fan);
   void clip_triangle(const Mesh& mesh, const ClipContext& clip, const ScreenVertex* vertices, const Link (&corner)[3],
                      Link triangle, Link polygon);
-  [[nodiscard]] bool culled(std::int64_t area) const {
-    return (cull_ == Cull::back && area > 0) || (cull_ == Cull::front && area < 0);
-  }
-
   PolygonTable& table_;
   BandOfRow band_of_row_;
   Viewport viewport_;

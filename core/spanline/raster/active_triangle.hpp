@@ -6,6 +6,7 @@
 #include "spanline/raster/edge.hpp"
 #include "spanline/raster/gradients.hpp"
 #include "spanline/raster/linear_function.hpp"
+#include "spanline/raster/medium_triangle.hpp"
 #include "spanline/raster/polygon_table.hpp"
 #include "spanline/raster/small_triangle.hpp"
 #include "spanline/raster/triangle.hpp"
@@ -22,17 +23,21 @@ struct LargeEdges {
 struct ActiveTriangle {
   LinearFunction depth;  ///< plane word on the current row, at column `origin`
   union {
-    small_triangle::Edges small;
+    FixedEdges fixed;
     LargeEdges large;
   };
   std::int16_t origin;            ///< screen column that columns of edges and functions count from
   std::uint16_t row;              ///< current row, biased
   std::uint16_t rows_to_bend;     ///< rows until the left or right edge gives way to the third
   std::uint16_t rows_after_bend;  ///< rows of the third edge
-  bool is_small;
-  bool right_bends;  ///< the third edge is on the right
-  bool bent;         ///< the third edge is in place
-  bool clipped;      ///< runs must be cut to the viewport's columns
+  enum class Size : std::uint8_t { small, medium, large };
+  /// Flags of one word, so that set-up writes them at once.
+  struct Flags {
+    Size size;         ///< `large` edges are in `large`, others in `fixed`
+    bool right_bends;  ///< the third edge is on the right
+    bool bent;         ///< the third edge is in place
+    bool clipped;      ///< runs must be cut to the viewport's columns
+  } flags;
 
   [[nodiscard]] std::int32_t end_row() const { return row + rows_to_bend + rows_after_bend; }
 };
@@ -42,8 +47,8 @@ struct ActiveTriangle {
 class AttributeGradients {
  public:
   AttributeGradients(const Triangle& t, std::int64_t area, const ActiveTriangle& active,
-                     const ScreenVertex* first_vertex, Viewport viewport, const small_triangle::Gradients* small)
-      : t_(t), area_(area), active_(active), first_vertex_(first_vertex), viewport_(viewport), small_(small) {}
+                     const ScreenVertex* first_vertex, Viewport viewport)
+      : t_(t), area_(area), active_(active), first_vertex_(first_vertex), viewport_(viewport) {}
 
   /// Number of a corner within its group.
   [[nodiscard]] std::size_t index(const ScreenVertex* v) const { return static_cast<std::size_t>(v - first_vertex_); }
@@ -53,22 +58,24 @@ class AttributeGradients {
   template <class ValueOf>
   void fit(ValueOf value_of, LinearFunction& function) const {
     const std::int32_t a = value_of(t_.a), b = value_of(t_.b), c = value_of(t_.c);
-    if (small_ != nullptr && small_->fit(a, b, c, 16 * active_.row + 8 - t_.ay, function)) return;
+    if (active_.flags.size == ActiveTriangle::Size::small &&
+        small_triangle::Gradients(static_cast<std::uint32_t>(area_))
+            .fit(t_, a, b, c, 16 * active_.row + 8 - t_.ay, function))
+      return;
     fit_wide(a, b, c, function);
   }
 
  private:
   void fit_wide(std::int32_t a, std::int32_t b, std::int32_t c, LinearFunction& function) const;
 
-  const Triangle& t_;
+  Triangle t_;
   std::int64_t area_;
   const ActiveTriangle& active_;
   const ScreenVertex* first_vertex_;
   Viewport viewport_;
-  const small_triangle::Gradients* small_;
 };
 
-/// Sets up a triangle of any size or position; of the general class. False if it has no rows in the viewport or no
+/// Sets up a triangle of any size or position as medium or large. False if it has no rows in the viewport or no
 /// area.
 [[nodiscard]] bool set_up_large(Triangle& t, bool scissored, Viewport viewport, int depth_bits, ActiveTriangle& active,
                                 std::int64_t& area);
@@ -82,9 +89,11 @@ void bend_large(const PolygonCorners& polygon, ActiveTriangle& active);
 /// Activates a polygon: edges and plane on its first row inside the viewport. `make_surface` is called with the
 /// attribute gradients once it is certain that the triangle has rows. False if there is nothing to draw.
 template <class Depth, class MakeSurface>
-[[nodiscard]] inline bool set_up(const PolygonCorners& polygon, const PolygonGroup& group, Viewport viewport,
-                                 ActiveTriangle& active, MakeSurface make_surface) {
-  Triangle t = Triangle::from(polygon.corner[0], polygon.corner[1], polygon.corner[2]);
+[[nodiscard, gnu::always_inline]] inline bool set_up(const ScreenVertex* p, const ScreenVertex* q,
+                                                     const ScreenVertex* r, const PolygonGroup& group,
+                                                     Viewport viewport, ActiveTriangle& active,
+                                                     MakeSurface make_surface) {
+  Triangle t = Triangle::from(p, q, r);
   const bool scissored = group.scissored && ((t.a->depth_word | t.b->depth_word | t.c->depth_word) &
                                              (outcode_left | outcode_right | outcode_top | outcode_bottom)) != 0;
   if (!scissored && small_triangle::fits(t)) {
@@ -99,24 +108,25 @@ template <class Depth, class MakeSurface>
     const std::int32_t end = right_bends ? row2 : row1;
     if (first >= end || area == 0) return false;
     const std::int32_t row_offset = 16 * first + 8 - t.ay;
-    active.small = small_triangle::edges_of(t, row_offset, 16 * bend_row + 8 - t.ay - (right_bends ? t.dy1 : t.dy2));
+    active.flags = {.size = ActiveTriangle::Size::small, .right_bends = right_bends, .bent = false, .clipped = false};
     active.origin = static_cast<std::int16_t>((t.ax >> 4) - row_bias - small_triangle::margin);
     active.row = static_cast<std::uint16_t>(first);
     active.rows_to_bend = static_cast<std::uint16_t>(bend_row - first);
     active.rows_after_bend = static_cast<std::uint16_t>(end - bend_row);
-    active.is_small = true;
-    active.right_bends = right_bends;
-    active.bent = false;
-    active.clipped = false;
-    const small_triangle::Gradients gradients(t, word(area));
+    small_triangle::set_edges(t, row_offset, 16 * bend_row + 8 - t.ay - (right_bends ? t.dy1 : t.dy2), active.fixed);
     if (Depth::bits != 16 ||
-        !gradients.fit(t.a->depth<Depth>(), t.b->depth<Depth>(), t.c->depth<Depth>(), row_offset, active.depth))
-      fit_wide_depth(t, area, viewport, Depth::bits, active);
-    make_surface(AttributeGradients(t, area, active, group.vertices, viewport, &gradients));
+        !small_triangle::Gradients(word(area))
+             .fit(t, t.a->depth<Depth>(), t.b->depth<Depth>(), t.c->depth<Depth>(), row_offset, active.depth)) {
+      // A copy, so that the triangle itself stays in registers on the usual way.
+      const Triangle kept = t;
+      fit_wide_depth(kept, area, viewport, Depth::bits, active);
+    }
+    make_surface(AttributeGradients(t, area, active, group.vertices, viewport));
   } else {
+    Triangle kept = t;
     std::int64_t area;
-    if (!set_up_large(t, scissored, viewport, Depth::bits, active, area)) return false;
-    make_surface(AttributeGradients(t, area, active, group.vertices, viewport, nullptr));
+    if (!set_up_large(kept, scissored, viewport, Depth::bits, active, area)) return false;
+    make_surface(AttributeGradients(kept, area, active, group.vertices, viewport));
   }
   if constexpr (!Depth::smaller) active.depth = active.depth.complemented();
   return true;

@@ -9,8 +9,10 @@ namespace spanline {
 namespace {
 
 constexpr std::int32_t largest_fast_extent = 512 * 16;  // sixteenths
-constexpr int extra_bits = 6;                           // of a fast slope, for the way from vertex to anchor
-constexpr std::int32_t exact = 0;                       // normalising shift that stands for "take the exact way"
+/// Bits that a fast slope has below the guard bits, for the way from vertex to anchor: 16 guard bits need none.
+constexpr int extra_bits_for(int guard_bits) { return guard_bits >= 16 ? 0 : 6; }
+
+constexpr std::int32_t exact = 0;  // normalising shift that stands for "take the exact way"
 
 /// The middle of [low, high) ∩ [0, size) pixels, or the pixel of the range that is nearest to the viewport.
 std::int32_t middle(std::int32_t low, std::int32_t high, std::int32_t size) {
@@ -43,7 +45,7 @@ bool Gradients::fast_slope(std::int64_t numerator, int guard_bits, std::int32_t&
   const int zeros = leading_zeros_64(absolute);
   const auto normalised = static_cast<std::uint32_t>((absolute << zeros) >> 32);
   // normalised · inverse / 2^32 = |n|/area · 2^(zeros − 32 + 30 − normalising shift); wanted: · 2^(4 + guard + extra)
-  const int shift = zeros - 2 - normalising_shift_ - (4 + guard_bits + extra_bits);
+  const int shift = zeros - 2 - normalising_shift_ - (4 + guard_bits + extra_bits_for(guard_bits));
   // |slope| < 2^(31 − shift): at least 2 leaves 2^29, and with it 2^23 guard units a pixel.
   if (shift < 2) return false;
   if (shift > 31) {
@@ -64,8 +66,7 @@ LinearFunction Gradients::fit(std::int32_t value_a, std::int32_t value_b, std::i
   LinearFunction function;
   const std::uint32_t base = (word(value_a) << guard_bits) + (1u << (guard_bits - 1));
   if ((d1 | d2) == 0) {
-    function.at_origin = base;
-    return function;
+    return {base, 0, 0};
   }
   const std::int64_t nx = static_cast<std::int64_t>(d1) * t.dy2 - static_cast<std::int64_t>(d2) * t.dy1;
   const std::int64_t ny = static_cast<std::int64_t>(d2) * t.dx1 - static_cast<std::int64_t>(d1) * t.dx2;
@@ -74,8 +75,10 @@ LinearFunction Gradients::fit(std::int32_t value_a, std::int32_t value_b, std::i
   std::int32_t fine_dx = 0, fine_dy = 0;
   std::uint32_t at_anchor;
   if (normalising_shift_ != exact && fast_slope(nx, guard_bits, fine_dx) && fast_slope(ny, guard_bits, fine_dy)) {
-    function.dx = word((fine_dx + (1 << (extra_bits - 1))) >> extra_bits);
-    function.dy = word((fine_dy + (1 << (extra_bits - 1))) >> extra_bits);
+    const int extra_bits = extra_bits_for(guard_bits);
+    const std::int32_t half = (1 << extra_bits) >> 1;
+    function.dx = word((fine_dx + half) >> extra_bits);
+    function.dy = word((fine_dy + half) >> extra_bits);
     const std::int64_t way =
         static_cast<std::int64_t>(fine_dx) * to_anchor_x + static_cast<std::int64_t>(fine_dy) * to_anchor_y;
     at_anchor = base + static_cast<std::uint32_t>(static_cast<std::uint64_t>(way >> (4 + extra_bits)));

@@ -31,7 +31,7 @@ class Gradients {
                                    std::int32_t row) const;
 
  private:
-  /// A slope in guard units a pixel with `extra_bits` more bits; false if it is too steep for the reciprocal.
+  /// A slope in guard units a pixel, with a few more bits at 24-bit depth; false if it is too steep for the reciprocal.
   [[nodiscard]] bool fast_slope(std::int64_t numerator, int guard_bits, std::int32_t& slope) const;
 
   const Triangle& triangle_;

@@ -9,9 +9,9 @@ namespace spanline {
 /// column of origin) of its current row it is at_origin + c·dx. Any order of increments gives the same word, which is
 /// why all algorithms and all band heights agree. For depth, dx is the lectures' −A/C and dy their −B/C.
 struct LinearFunction {
-  std::uint32_t at_origin = 0;
-  std::uint32_t dx = 0;
-  std::uint32_t dy = 0;
+  std::uint32_t at_origin;
+  std::uint32_t dx;
+  std::uint32_t dy;
 
   [[nodiscard]] std::uint32_t at(std::int32_t column) const { return at_origin + dx * word(column); }
   void next_row() { at_origin += dy; }

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "spanline/math/reciprocal.hpp"
+#include "spanline/raster/fixed_edges.hpp"
 #include "spanline/raster/linear_function.hpp"
 #include "spanline/raster/triangle.hpp"
 
@@ -14,7 +15,7 @@ namespace small_triangle {
 
 inline constexpr std::int32_t reach = 128;       ///< greatest |dx| from the top vertex, sixteenths
 inline constexpr std::int32_t max_height = 255;  ///< greatest dy, sixteenths
-inline constexpr unsigned max_run = 17;          ///< pixels in a row at most
+inline constexpr int fraction_bits = 26;         ///< of its columns
 /// Columns between the column of origin and the top vertex's pixel: all of the triangle lies right of the origin.
 inline constexpr std::int32_t margin = 9;
 
@@ -30,33 +31,22 @@ inline constexpr std::array<std::uint32_t, max_height + 1> reciprocal_q26 = [] {
   return table;
 }();
 
-/// Both edges of a triangle as fixed-point columns, Q6.26 modulo 64 pixels, counted from the column of origin. An edge
-/// crosses a pixel centre at multiples of 1/(16·dy) pixel, at least 2^-12; slope and start are within 2^-14 together
-/// over 16 rows; the start is lowered by 2^-13, so that the integer part is always that of the exact edge (tested
-/// exhaustively in dx and dy).
-struct Edges {
-  std::uint32_t left, right;            ///< columns of the current row
-  std::uint32_t left_step, right_step;  ///< slopes
-  std::uint32_t bend, bend_step;        ///< the third edge: replaces the left or the right one at its first row
-};
-
-[[nodiscard]] constexpr std::uint32_t column(std::uint32_t q26) { return q26 >> 26; }
-
 /// Gradients of the quantities of a small triangle: 16-bit values with 16 guard bits, good to 0.2 units over the
 /// triangle, or refused.
 class Gradients {
  public:
-  explicit Gradients(const Triangle& t, std::uint32_t area) : triangle_(t), shift_(leading_zeros_16(area)) {
-    inverse_ = signed_word(reciprocal_16(area << shift_));
-  }
+  /// The doubled area of the triangle that `fit` will be asked for.
+  explicit Gradients(std::uint32_t area)
+      : shift_(leading_zeros_16(area)), inverse_(signed_word(reciprocal_16(area << shift_))) {}
 
   /// The linear function through a, b, c (values in [0, 65535]) with ½ added, on row `first_row`; false where the
   /// triangle is too thin or the slope too steep for this precision, and the wide set-up must take it. The column of
   /// origin is `margin` left of a's pixel.
-  [[nodiscard]] bool fit(std::int32_t value_a, std::int32_t value_b, std::int32_t value_c, std::int32_t row_offset,
-                         LinearFunction& function) const {
-    if (shift_ > thinnest) return false;
-    const Triangle& t = triangle_;
+  [[nodiscard]] bool fit(const Triangle& t, std::int32_t value_a, std::int32_t value_b, std::int32_t value_c,
+                         std::int32_t row_offset, LinearFunction& function) const {
+    // A unit of the products below is 2^shift guard units a pixel: thin triangles pass if they are short as well.
+    const std::uint32_t extent = word(t.dy1 | t.dy2 | (t.dx1 ^ (t.dx1 >> 31)) | (t.dx2 ^ (t.dx2 >> 31)));
+    if (extent << shift_ >= coarsest) return false;
     const std::int32_t d1 = value_b - value_a;
     const std::int32_t d2 = value_c - value_a;
     // 2^20·n/area per pixel in 16.16 (16 sixteenths a pixel); with inverse = 2^31/(area·2^shift) the shift is left
@@ -73,40 +63,46 @@ class Gradients {
   }
 
  private:
-  static constexpr int thinnest = 8;        ///< doubled area below 2^7 square sixteenths is too thin
-  static constexpr int steepest_log2 = 24;  ///< slopes of 256 units a pixel and more are too steep
+  static constexpr std::uint32_t coarsest = 1u << 16;  ///< extent · 2^shift, sixteenths
+  static constexpr int steepest_log2 = 25;             ///< slopes of 512 units a pixel and more are too steep
 
-  /// (n·inverse) >> 16 by 32-bit products; |n| < 2^31.
+  /// (n·inverse) >> 16, |n| < 2^31: by one long product, or by two of 32 bits.
   [[nodiscard]] std::int32_t scaled(std::int32_t n) const {
+#if defined(__ARM_ARCH_6M__)
     return (n >> 16) * inverse_ + signed_word(((word(n) & 0xffffu) * word(inverse_)) >> 16);
+#else
+    return static_cast<std::int32_t>((static_cast<std::int64_t>(n) * inverse_) >> 16);
+#endif
   }
 
-  const Triangle& triangle_;
   int shift_;
   std::int32_t inverse_;
 };
 
 /// The two edges from the top vertex and the one that follows, for a triangle that `fits`. `row_offset` is the distance
-/// from a down to the centre of the first row, sixteenths in [1, 16]; the rows of the bend are counted by the caller.
-[[nodiscard]] inline Edges edges_of(const Triangle& t, std::int32_t row_offset, std::int32_t bend_row_offset) {
+/// from a down to the centre of the first row, and `bend_offset` that from the start of the third edge to the centre of
+/// its first row, in sixteenths.
+///
+/// An edge crosses a pixel centre at multiples of 1/(16·dy) pixel, at least 2^-12; slope and start are within 2^-13.4
+/// together over 16 rows; the start is lowered by 2^-13, so that the integer part is always that of the exact edge
+/// (tested).
+inline void set_edges(const Triangle& t, std::int32_t row_offset, std::int32_t bend_offset, FixedEdges& edges) {
   const std::uint32_t start = (word(t.ax & 15) << 22) + ((margin * 16 + 8u) << 22) - (1u << 13);
-  const auto edge = [](std::int32_t dx, std::int32_t offset, std::uint32_t inverse) {
+  const auto moved_down = [](std::int32_t dx, std::int32_t offset, std::uint32_t inverse) {
     return word(offset * dx) * (inverse >> 4);  // offset/16 rows of slope dx·2^26/dy
   };
-  Edges edges;
   const std::uint32_t inverse2 = reciprocal_q26[word(t.dy2)];
   edges.left_step = word(t.dx2) * inverse2;
-  edges.left = start + edge(t.dx2, row_offset, inverse2);
+  edges.left = start + moved_down(t.dx2, row_offset, inverse2);
   const std::uint32_t inverse1 = reciprocal_q26[word(t.dy1)];
   edges.right_step = word(t.dx1) * inverse1;
-  edges.right = start + edge(t.dx1, row_offset, inverse1);
+  edges.right = start + moved_down(t.dx1, row_offset, inverse1);
   const bool right_bends = t.dy1 < t.dy2;
   const std::int32_t dx3 = right_bends ? t.dx2 - t.dx1 : t.dx1 - t.dx2;
   const std::int32_t dy3 = right_bends ? t.dy2 - t.dy1 : t.dy1 - t.dy2;
   const std::uint32_t inverse3 = reciprocal_q26[word(dy3)];
   edges.bend_step = word(dx3) * inverse3;
-  edges.bend = start + (word(right_bends ? t.dx1 : t.dx2) << 22) + edge(dx3, bend_row_offset, inverse3);
-  return edges;
+  edges.bend = start + (word(right_bends ? t.dx1 : t.dx2) << 22) + moved_down(dx3, bend_offset, inverse3);
 }
 
 }  // namespace small_triangle

@@ -47,27 +47,21 @@ class DepthBuffer {
   template <class ShadingGroup, class Covered>
   void draw_band(const PolygonTable& table, std::span<const ShadingGroup> shading, std::int32_t band, Viewport viewport,
                  const Target& target, Covered&& covered) {
+    Job<ShadingGroup> job{table, shading.data(), shading.data(), table.groups.data(), viewport, target, {}, {}};
     BucketCursor starting(table, band);
-    Link group = 0;
     Link* link = &active_;
     for (;;) {
       const Link continuing = *link == no_link ? no_link : pool_[*link].polygon;
       const Link beginning = starting.polygon();
-      if (continuing == no_link && beginning == no_link) break;
       if (beginning < continuing) {
         starting.advance();
-        group = table.group_of(beginning, group);
-        begin(table, shading[group], group, beginning, viewport, target, link, covered);
+        job.find_group(beginning);
+        begin(job, beginning, link, covered);
+      } else if (continuing != no_link) {
+        job.find_group(continuing);
+        go_on(job, link);
       } else {
-        group = table.group_of(continuing, group);
-        if (go_on(table, shading[group], group, pool_[*link], target)) {
-          link = &pool_[*link].next;
-        } else {
-          const Link done = *link;
-          *link = pool_[done].next;
-          pool_[done].next = free_;
-          free_ = done;
-        }
+        break;
       }
     }
   }
@@ -78,31 +72,68 @@ class DepthBuffer {
   [[nodiscard]] Link peak() const { return peak_; }
 
  private:
-  template <class ShadingGroup, class Covered>
-  void begin(const PolygonTable& table, const ShadingGroup& shading, Link group, Link polygon, Viewport viewport,
-             const Target& target, Link*& link, Covered& covered) {
-    const PolygonGroup& polygon_group = table.groups[group];
-    const PolygonCorners corners = table.corners(polygon_group, polygon);
-    Shaders::with(shading.shader, [&]<class Shader>() {
-      ActiveTriangle triangle;
-      typename Shader::Surface surface;
-      if (!set_up<Depth>(corners, polygon_group, viewport, triangle, [&](const AttributeGradients& gradients) {
-            Shader::make(surface, shading, corners, gradients);
-          }))
-        return;
-      if constexpr (Counting) {
-        if (covers_pixels(triangle, corners, viewport)) covered(shading.first_id + corners.triangle);
+  /// What the polygons of a band have in common, the group of the current one, and room to set it up.
+  template <class ShadingGroup>
+  struct Job {
+    const PolygonTable& table;
+    const ShadingGroup* all_shading;
+    const ShadingGroup* shading;
+    const PolygonGroup* group;
+    Viewport viewport;
+    const Target& target;
+    PolygonCorners corners;
+    ActiveTriangle triangle;
+
+    /// Polygons come in order of submission, so groups do as well.
+    void find_group(Link polygon) {
+      const PolygonGroup* const last = table.groups.data() + table.group_count - 1;
+      while (group != last && group[1].first <= polygon) {
+        ++group;
+        ++shading;
       }
-      if (Rows::draw(triangle, surface, target, [&] { return corners; })) keep(triangle, surface, polygon, link);
+    }
+  };
+
+  template <class ShadingGroup, class Covered>
+  void begin(Job<ShadingGroup>& job, Link polygon, Link*& link, Covered& covered) {
+    job.corners = job.table.corners(*job.group, polygon);
+    Shaders::with(job.shading->shader, [&]<class Shader>() {
+      typename Shader::Surface surface;
+      if (!activate<Shader>(job.corners.corner[0], job.corners.corner[1], job, surface)) return;
+      if constexpr (Counting) {
+        if (covers_pixels(job.triangle, job.corners, job.viewport))
+          covered(job.shading->first_id + job.corners.triangle);
+      }
+      if (Rows::draw(job.triangle, surface, job.target, [&] { return job.corners; }))
+        keep(job.triangle, surface, polygon, link);
     });
   }
 
+  /// Edges, plane and surface of a polygon. A function of its own: set-up wants every register.
+  template <class Shader, class ShadingGroup>
+  [[gnu::noinline]] static bool activate(const ScreenVertex* a, const ScreenVertex* b, Job<ShadingGroup>& job,
+                                         typename Shader::Surface& surface) {
+    return set_up<Depth>(
+        a, b, job.corners.corner[2], *job.group, job.viewport, job.triangle,
+        [&](const AttributeGradients& gradients) { Shader::make(surface, *job.shading, job.corners, gradients); });
+  }
+
+  /// Draws the active polygon at *link, and moves on to the next one; takes it out of the list where it ends.
   template <class ShadingGroup>
-  bool go_on(const PolygonTable& table, const ShadingGroup& shading, Link group, Entry& entry, const Target& target) {
-    return Shaders::with(shading.shader, [&]<class Shader>() {
-      return Rows::draw(entry.triangle, entry.surface.template as<typename Shader::Surface>(), target,
-                        [&] { return table.corners(table.groups[group], entry.polygon); });
+  void go_on(Job<ShadingGroup>& job, Link*& link) {
+    Entry& entry = pool_[*link];
+    const bool goes_on = Shaders::with(job.shading->shader, [&]<class Shader>() {
+      return Rows::draw(entry.triangle, entry.surface.template as<typename Shader::Surface>(), job.target,
+                        [&] { return job.table.corners(*job.group, entry.polygon); });
     });
+    if (goes_on) {
+      link = &entry.next;
+    } else {
+      const Link done = *link;
+      *link = entry.next;
+      entry.next = free_;
+      free_ = done;
+    }
   }
 
   /// Puts a polygon that goes on below the band into the list, at its place in the order of submission.
@@ -140,29 +171,31 @@ class DepthBuffer {
   /// The columns [first, end) of the current row, and a step down; false where only the bend was made.
   static bool step_row(ActiveTriangle& triangle, const PolygonCorners& corners, std::int32_t& first,
                        std::int32_t& end) {
-    if (triangle.rows_to_bend == 0 && !triangle.bent) {
-      triangle.bent = true;
-      if (!triangle.is_small) {
+    if (triangle.rows_to_bend == 0 && !triangle.flags.bent) {
+      triangle.flags.bent = true;
+      if (triangle.flags.size == ActiveTriangle::Size::large) {
         bend_large(corners, triangle);
-      } else if (triangle.right_bends) {
-        triangle.small.right = triangle.small.bend;
-        triangle.small.right_step = triangle.small.bend_step;
+      } else if (triangle.flags.right_bends) {
+        triangle.fixed.right = triangle.fixed.bend;
+        triangle.fixed.right_step = triangle.fixed.bend_step;
       } else {
-        triangle.small.left = triangle.small.bend;
-        triangle.small.left_step = triangle.small.bend_step;
+        triangle.fixed.left = triangle.fixed.bend;
+        triangle.fixed.left_step = triangle.fixed.bend_step;
       }
       return false;
     }
-    if (triangle.is_small) {
-      first = triangle.origin + signed_word(small_triangle::column(triangle.small.left));
-      end = triangle.origin + signed_word(small_triangle::column(triangle.small.right));
-      triangle.small.left += triangle.small.left_step;
-      triangle.small.right += triangle.small.right_step;
-    } else {
+    if (triangle.flags.size == ActiveTriangle::Size::large) {
       first = triangle.large.left.x;
       end = triangle.large.right.x;
       triangle.large.left.next_row();
       triangle.large.right.next_row();
+    } else {
+      const bool is_small = triangle.flags.size == ActiveTriangle::Size::small;
+      const int fraction_bits = is_small ? small_triangle::fraction_bits : medium_triangle::fraction_bits;
+      first = triangle.origin + signed_word(triangle.fixed.left >> fraction_bits);
+      end = triangle.origin + signed_word(triangle.fixed.right >> fraction_bits);
+      triangle.fixed.left += triangle.fixed.left_step;
+      triangle.fixed.right += triangle.fixed.right_step;
     }
     ++triangle.row;
     --(triangle.rows_to_bend != 0 ? triangle.rows_to_bend : triangle.rows_after_bend);

@@ -18,9 +18,10 @@ struct DepthRun {
 
   /// One pixel: written where it is nearer.
   template <class Source>
-  static inline void pixel(Word* depth, Pixel* pixels, std::size_t i, std::uint32_t z, const Source& source) {
+  [[gnu::always_inline]] static inline void pixel(Word* depth, Pixel* pixels, std::size_t i, std::uint32_t z,
+                                                  const Source& source) {
     const std::uint32_t candidate = Depth::stored(z);
-    if (Depth::hides(candidate, depth[i])) {
+    if (__builtin_expect(Depth::hides(candidate, depth[i]), true)) {
       keep_branch();
       depth[i] = static_cast<Word>(candidate);
       pixels[i] = source.get();
@@ -30,13 +31,14 @@ struct DepthRun {
   /// 1 … 17 pixels, walked from right to left by a jump into straight code: no loop, no tail.
   /// `z` and `source` stand at the last pixel.
   template <class Source>
-  static inline void short_run(Word* depth, Pixel* pixels, std::uint32_t count, std::uint32_t z, std::uint32_t dz,
-                               Source source) {
+  [[gnu::always_inline]] static inline void short_run(Word* depth, Pixel* pixels, std::uint32_t count, std::uint32_t z,
+                                                      std::uint32_t dz, Source source) {
     const auto step = [&](std::size_t i) __attribute__((always_inline)) {
       pixel(depth, pixels, i, z, source);
       z -= dz;
       source.back();
     };
+    if (count - 1 > 16) __builtin_unreachable();  // or the compiler tests the range in every row
     switch (count) {
       case 17:
         step(16);
@@ -94,31 +96,47 @@ struct DepthRun {
     }
   }
 
+  static constexpr std::uint32_t short_limit = 17;
+
   /// Any number of pixels ≥ 1; `z` and `source` stand at the first.
+  template <class Source>
+  [[gnu::noinline]] static void long_run(Word* depth, Pixel* pixels, std::uint32_t count, std::uint32_t z,
+                                         std::uint32_t dz, Source source) {
+    if constexpr (Source::constant) {
+      if (dz == 0) return constant_run(depth, pixels, count, z, source.get());
+    }
+    if constexpr (pairs_fit<Source>) {
+      pair_blocks(depth, pixels, count, z, dz, source);
+    } else {
+      for (; count > block; count -= block) {
+#pragma GCC unroll 16
+        for (std::size_t i = 0; i < block; ++i) {
+          pixel(depth, pixels, i, z, source);
+          z += dz;
+          source.forward();
+        }
+        depth += block;
+        pixels += block;
+      }
+    }
+    if (count != 0) short_run_from_left(depth, pixels, count, z, dz, source);
+  }
+
+  /// Either, by the count.
   template <class Source>
   static inline void run(Word* depth, Pixel* pixels, std::uint32_t count, std::uint32_t z, std::uint32_t dz,
                          Source source) {
-    if constexpr (pairs_fit<Source>) {
-      if (count > block) return pair_run(depth, pixels, count, z, dz, source);
-    }
-    for (; count > block; count -= block) {
-#pragma GCC unroll 16
-      for (std::size_t i = 0; i < block; ++i) {
-        pixel(depth, pixels, i, z, source);
-        z += dz;
-        source.forward();
-      }
-      depth += block;
-      pixels += block;
-    }
-    short_run_from_left(depth, pixels, count, z, dz, source);
+    if (count <= short_limit)
+      short_run_from_left(depth, pixels, count, z, dz, source);
+    else
+      long_run(depth, pixels, count, z, dz, source);
   }
 
   /// A run of constant depth and pixel: nothing is stepped.
   static inline void constant_run(Word* depth, Pixel* pixels, std::uint32_t count, std::uint32_t z, Pixel colour) {
     const std::uint32_t candidate = Depth::stored(z);
     const auto put = [&](std::size_t i) __attribute__((always_inline)) {
-      if (Depth::hides(candidate, depth[i])) {
+      if (__builtin_expect(Depth::hides(candidate, depth[i]), true)) {
         keep_branch();
         depth[i] = static_cast<Word>(candidate);
         pixels[i] = colour;
@@ -167,9 +185,10 @@ struct DepthRun {
   template <class Source>
   static constexpr bool pairs_fit = Source::constant && sizeof(Word) == 2 && sizeof(Pixel) == 2 && Depth::smaller;
 
+  /// Whole blocks of eight pixels; what is left of the run stays in the arguments.
   template <class Source>
-  static inline void pair_run(Word* depth, Pixel* pixels, std::uint32_t count, std::uint32_t z, std::uint32_t dz,
-                              const Source& source) {
+  [[gnu::always_inline]] static inline void pair_blocks(Word*& depth, Pixel*& pixels, std::uint32_t& count,
+                                                        std::uint32_t& z, std::uint32_t dz, const Source& source) {
     if (reinterpret_cast<std::uintptr_t>(depth) & 2) {
       pixel(depth, pixels, 0, z, source);
       z += dz;
@@ -181,8 +200,8 @@ struct DepthRun {
     std::uint32_t z_right = z + dz;
     const std::uint32_t two = 2 * dz;
     const auto pair = [&](std::size_t i) __attribute__((always_inline)) {
-      const std::uint32_t candidates = (z >> 16) | (z_right & 0xffff0000u);
-      std::uint32_t kept;
+      std::uint32_t candidates, kept;
+      __asm__("pkhtb %0, %1, %2, asr #16" : "=r"(candidates) : "r"(z_right), "r"(z));
       __builtin_memcpy(&kept, depth + 2 * i, 4);
       __usub16(candidates, kept);  // GE set where candidate >= kept
       const std::uint32_t nearest = __sel(kept, candidates);
@@ -202,7 +221,6 @@ struct DepthRun {
       depth += 8;
       pixels += 8;
     }
-    if (count != 0) short_run(depth, pixels, count, z + dz * (count - 1), dz, source);
   }
 #else
   template <class Source>

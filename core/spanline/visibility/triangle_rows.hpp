@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <type_traits>
 
 #include "spanline/raster/active_triangle.hpp"
 #include "spanline/visibility/depth_run.hpp"
@@ -24,6 +25,36 @@ struct BandTarget {
   VisibilityCounters* counters = nullptr;  ///< for Counting only
 };
 
+/// Where a row of a band lies in both buffers. Where their words have one size, one address and a constant distance
+/// serve for both: a register less in the loops.
+template <class Word, class Pixel>
+class RowAddress {
+ public:
+  RowAddress(Word* depth, Pixel* pixels, std::int32_t offset) : depth_(depth + offset) {
+    if constexpr (paired)
+      other_ = reinterpret_cast<std::uintptr_t>(pixels) - reinterpret_cast<std::uintptr_t>(depth);
+    else
+      other_ = pixels + offset;
+  }
+  void next_row(std::int32_t width) {
+    depth_ += width;
+    if constexpr (!paired) other_ += width;
+  }
+  [[nodiscard]] Word* depth(std::uint32_t column) const { return depth_ + column; }
+  /// The pixel that belongs to `depth`, which is depth(column).
+  [[nodiscard]] Pixel* pixels([[maybe_unused]] Word* depth, [[maybe_unused]] std::uint32_t column) const {
+    if constexpr (paired)
+      return reinterpret_cast<Pixel*>(reinterpret_cast<std::uintptr_t>(depth) + other_);
+    else
+      return other_ + column;
+  }
+
+ private:
+  static constexpr bool paired = sizeof(Word) == sizeof(Pixel);
+  Word* depth_;
+  std::conditional_t<paired, std::uintptr_t, Pixel*> other_;
+};
+
 /// A pixel source that counts what is written.
 template <class Source>
 struct CountedSource : Source {
@@ -43,28 +74,22 @@ class TriangleRows {
   using Target = BandTarget<Depth, Pixel>;
   using Run = DepthRun<Depth, Pixel>;
 
-  /// `polygon` gives the corners, asked for only where a large triangle meets its bend. True if the triangle goes on
-  /// below the band.
+  /// `corners_of` gives the polygon's corners, asked for only where a large triangle meets its bend. True if the
+  /// triangle goes on below the band.
   template <class Surface, class CornersOf>
   static bool draw(ActiveTriangle& triangle, Surface& surface, const Target& target, CornersOf corners_of) {
+    const std::int32_t before = triangle.rows_to_bend, after = triangle.rows_after_bend;
     const std::int32_t available = target.end_row - triangle.row;
-    const std::int32_t before = std::min<std::int32_t>(triangle.rows_to_bend, available);
-    const std::int32_t after = std::min<std::int32_t>(triangle.rows_after_bend, available - before);
-    if (triangle.is_small) {
-      draw_small(triangle, surface, target, before, after);
-    } else {
-      if (before > 0) large_rows(triangle, surface, target, before);
-      if (after > 0) {
-        if (!triangle.bent) {
-          bend_large(corners_of(), triangle);
-          triangle.bent = true;
-        }
-        large_rows(triangle, surface, target, after);
-      }
+    if (before + after <= available) {
+      draw_rows(triangle, surface, target, before, after, corners_of);
+      return false;
     }
-    triangle.rows_to_bend = static_cast<std::uint16_t>(triangle.rows_to_bend - before);
-    triangle.rows_after_bend = static_cast<std::uint16_t>(triangle.rows_after_bend - after);
-    return (triangle.rows_to_bend | triangle.rows_after_bend) != 0;
+    const std::int32_t before_here = std::min(before, available), after_here = available - before_here;
+    draw_rows(triangle, surface, target, before_here, after_here, corners_of);
+    triangle.row = static_cast<std::uint16_t>(target.end_row);
+    triangle.rows_to_bend = static_cast<std::uint16_t>(before - before_here);
+    triangle.rows_after_bend = static_cast<std::uint16_t>(after - after_here);
+    return true;
   }
 
  private:
@@ -82,49 +107,74 @@ class TriangleRows {
     }
   }
 
-  template <class Surface>
-  static inline void draw_small(ActiveTriangle& triangle, Surface& surface, const Target& target, std::int32_t rows,
-                                std::int32_t rows_after) {
-    std::uint32_t left = triangle.small.left, right = triangle.small.right;
-    std::uint32_t left_step = triangle.small.left_step, right_step = triangle.small.right_step;
-    std::uint32_t z = triangle.depth.at_origin;
-    const std::uint32_t dz = triangle.depth.dx, dz_row = triangle.depth.dy;
+  template <class Surface, class CornersOf>
+  static void draw_rows(ActiveTriangle& triangle, Surface& surface, const Target& target, std::int32_t before,
+                        std::int32_t after, CornersOf& corners_of) {
+    if (triangle.flags.size == ActiveTriangle::Size::small) {
+      fixed_rows<small_triangle::fraction_bits>(triangle, surface, target, before, after);
+      return;
+    }
+    if (triangle.flags.size == ActiveTriangle::Size::medium) {
+      fixed_rows<medium_triangle::fraction_bits>(triangle, surface, target, before, after);
+      return;
+    }
+    if (before > 0) large_rows(triangle, surface, target, before);
+    if (after > 0) {
+      if (!triangle.flags.bent) {
+        bend_large(corners_of(), triangle);
+        triangle.flags.bent = true;
+      }
+      large_rows(triangle, surface, target, after);
+    }
+  }
+
+  /// The rows of a small or medium triangle that lie in the band. A function of its own: its loop wants every register.
+  template <int FractionBits, class Surface>
+  [[gnu::noinline]] static void fixed_rows(ActiveTriangle& triangle, Surface& kept_surface, const Target& target,
+                                           std::int32_t rows, std::int32_t rows_after) {
+    Surface surface = kept_surface;
+    std::uint32_t left = triangle.fixed.left, right = triangle.fixed.right, z = triangle.depth.at_origin;
+    const std::uint32_t dz = triangle.depth.dx;
     const std::int32_t offset = (triangle.row - target.first_row) * target.width + triangle.origin;
-    auto* depth = target.depth + offset;
-    auto* pixels = target.pixels + offset;
-    triangle.row = static_cast<std::uint16_t>(triangle.row + rows + rows_after);
+    RowAddress<typename Depth::Word, Pixel> row(target.depth, target.pixels, offset);
     for (;;) {
       for (; rows > 0; --rows) {
-        const std::uint32_t first = small_triangle::column(left), end = small_triangle::column(right);
+        const std::uint32_t first = left >> FractionBits, end = right >> FractionBits;
         if (end > first) {
           count(target, end - first);
-          Run::short_run(depth + first, pixels + first, end - first, z + dz * (end - 1), dz,
-                         counted(surface.source(static_cast<std::int32_t>(end - 1)), target));
+          auto* depth = row.depth(first);
+          Pixel* pixels = row.pixels(depth, first);
+          if (FractionBits == small_triangle::fraction_bits || end - first <= Run::short_limit) {
+            Run::short_run(depth, pixels, end - first, z + dz * (end - 1), dz,
+                           counted(surface.source(static_cast<std::int32_t>(end - 1)), target));
+          } else {
+            Run::long_run(depth, pixels, end - first, z + dz * first, dz,
+                          counted(surface.source(static_cast<std::int32_t>(first)), target));
+          }
         }
-        left += left_step;
-        right += right_step;
-        z += dz_row;
+        left += triangle.fixed.left_step;
+        right += triangle.fixed.right_step;
+        z += triangle.depth.dy;
         surface.next_row();
-        depth += target.width;
-        pixels += target.width;
+        row.next_row(target.width);
       }
       if (rows_after == 0) break;
       rows = rows_after;
       rows_after = 0;
-      if (!triangle.bent) {
-        triangle.bent = true;
-        if (triangle.right_bends) {
-          right = triangle.small.bend;
-          right_step = triangle.small.right_step = triangle.small.bend_step;
-        } else {
-          left = triangle.small.bend;
-          left_step = triangle.small.left_step = triangle.small.bend_step;
-        }
+      if (triangle.flags.bent) continue;
+      triangle.flags.bent = true;
+      if (triangle.flags.right_bends) {
+        right = triangle.fixed.bend;
+        triangle.fixed.right_step = triangle.fixed.bend_step;
+      } else {
+        left = triangle.fixed.bend;
+        triangle.fixed.left_step = triangle.fixed.bend_step;
       }
     }
-    triangle.small.left = left;
-    triangle.small.right = right;
+    triangle.fixed.left = left;
+    triangle.fixed.right = right;
     triangle.depth.at_origin = z;
+    kept_surface = surface;
   }
 
   template <class Surface>
@@ -138,23 +188,15 @@ class TriangleRows {
     triangle.row = static_cast<std::uint16_t>(triangle.row + rows);
     for (; rows > 0; --rows) {
       std::int32_t first = left.x, end = right.x;
-      if (triangle.clipped) {
+      if (triangle.flags.clipped) {
         first = std::max<std::int32_t>(first, 0);
         end = std::min(end, target.width);
       }
       if (end > first) {
         const std::uint32_t pixel_count = word(end - first);
         count(target, pixel_count);
-        const auto source = counted(surface.source(first), target);
-        if constexpr (decltype(source)::constant) {
-          if (dz == 0) {
-            Run::constant_run(depth + first, pixels + first, pixel_count, z, source.get());
-          } else {
-            Run::run(depth + first, pixels + first, pixel_count, z + dz * word(first), dz, source);
-          }
-        } else {
-          Run::run(depth + first, pixels + first, pixel_count, z + dz * word(first), dz, source);
-        }
+        Run::run(depth + first, pixels + first, pixel_count, z + dz * word(first), dz,
+                 counted(surface.source(first), target));
       }
       left.next_row();
       right.next_row();
