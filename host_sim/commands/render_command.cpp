@@ -5,7 +5,7 @@
 #include "base/output_file.hpp"
 #include "base/progress.hpp"
 #include "commands/commands.hpp"
-#include "commands/render_arguments.hpp"
+#include "commands/render_options.hpp"
 #include "image/animation.hpp"
 #include "image/png.hpp"
 #include "render/statistics_json.hpp"

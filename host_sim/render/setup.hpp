@@ -1,6 +1,6 @@
 #pragma once
-#include "commands/render_arguments.hpp"
 #include "render/frame.hpp"
+#include "render/render_arguments.hpp"
 #include "scene/scene.hpp"
 
 namespace spanline::sim {

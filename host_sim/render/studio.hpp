@@ -1,9 +1,9 @@
 #pragma once
 #include <optional>
 
-#include "commands/render_arguments.hpp"
 #include "render/frame.hpp"
 #include "render/panel_picture.hpp"
+#include "render/render_arguments.hpp"
 
 namespace spanline::sim {
 

@@ -1,4 +1,4 @@
-#include "commands/render_arguments.hpp"
+#include "commands/render_options.hpp"
 
 #include <CLI/CLI.hpp>
 #include <array>
