@@ -18,8 +18,8 @@ std::uint16_t soup_colours[2000];
 
 struct NullSink {};
 
-void print(const char* scene, const char* visibility, int depth, unsigned band, std::uint32_t instructions, std::uint32_t crc,
-           std::size_t peak_bytes) {
+void print(const char* scene, const char* visibility, int depth, unsigned band, std::uint32_t instructions,
+           std::uint32_t crc, std::size_t peak_bytes) {
   board::write("bench ");
   board::write(scene);
   board::write(" ");
@@ -62,14 +62,16 @@ void measure(const char* scene, Capacity capacity, unsigned band, Submit submit)
     }
     if (!renderer.end_bands().ok()) board::write("bench: a pool is full\n");
   }
-  print(scene, band == 0 ? "zbuffer" : "scanline-z", Traits::Depth::bits, band, instructions, crc.value(), renderer.peaks().total());
+  print(scene, band == 0 ? "zbuffer" : "scanline-z", Traits::Depth::bits, band, instructions, crc.value(),
+        renderer.peaks().total());
 }
 
 template <class Depth>
 void soups(unsigned band) {
   using Traits = FlatTraits<Rgb565, Depth>;
   const auto soup = [&](const char* name, std::uint32_t triangles, auto make) {
-    const scenes::ScreenSoup target{std::span(soup_vertices).first(3 * triangles), std::span(soup_colours).first(triangles)};
+    const scenes::ScreenSoup target{std::span(soup_vertices).first(3 * triangles),
+                                    std::span(soup_colours).first(triangles)};
     make(target);
     measure<Traits>(name, {.polygons = triangles, .active = triangles}, band, [&](auto& renderer) {
       FrameSettings settings;
@@ -93,11 +95,13 @@ void model(const char* name, ShadingMode shading, unsigned band) {
   const Mesh& mesh = spanline_models::bunny;
   const auto vertices = static_cast<std::uint32_t>(mesh.vertex_count());
   const scenes::ModelView view = scenes::model_view(mesh, Angle::from_degrees(30), 240, shading);
-  measure<Traits>(name, {.vertices = vertices, .shades = shading == ShadingMode::gouraud ? vertices : 0, .polygons = 1600, .active = 64},
-                  band, [&](auto& renderer) {
-                    (void)renderer.begin(view.settings);
-                    if (!renderer.add(mesh, view.transform, view.material).ok()) board::write("bench: a pool is full\n");
-                  });
+  measure<Traits>(
+      name,
+      {.vertices = vertices, .shades = shading == ShadingMode::gouraud ? vertices : 0, .polygons = 1600, .active = 64},
+      band, [&](auto& renderer) {
+        (void)renderer.begin(view.settings);
+        if (!renderer.add(mesh, view.transform, view.material).ok()) board::write("bench: a pool is full\n");
+      });
 }
 
 template <class Depth>

@@ -4,8 +4,8 @@
 
 namespace spanline::scenes {
 
-/// The CRC of IEEE 802.3 and of zip files (reflected polynomial 0xEDB88320) over words of a picture, low byte first, so that
-/// machines of any word size and the host compute the same.
+/// The CRC of IEEE 802.3 and of zip files (reflected polynomial 0xEDB88320) over words of a picture, low byte first, so
+/// that machines of any word size and the host compute the same.
 class Crc32 {
  public:
   template <class Word>

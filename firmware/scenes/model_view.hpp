@@ -11,8 +11,8 @@ using namespace spanline::literals;
 
 /// A model on a turntable: benchmark scenes S4 and S5, the firmware's turntable and the simulator's picture of it.
 ///
-/// The model is centred and scaled to a height of 2, turned about y, and seen from 4 units away with a focal length of 320 pixels on a
-/// picture 240 lines high, near 0.5, far 16, one light.
+/// The model is centred and scaled to a height of 2, turned about y, and seen from 4 units away with a focal length of
+/// 320 pixels on a picture 240 lines high, near 0.5, far 16, one light.
 struct ModelView {
   FrameSettings settings;
   Transform transform;
@@ -27,7 +27,8 @@ inline ModelView model_view(const Mesh& mesh, Angle angle, int height, ShadingMo
   Vec3<std::int32_t> low{32767, 32767, 32767}, high{-32768, -32768, -32768};
   for (const Vertex16& v : mesh.vertices) {
     low = {std::min<std::int32_t>(low.x, v.x), std::min<std::int32_t>(low.y, v.y), std::min<std::int32_t>(low.z, v.z)};
-    high = {std::max<std::int32_t>(high.x, v.x), std::max<std::int32_t>(high.y, v.y), std::max<std::int32_t>(high.z, v.z)};
+    high = {std::max<std::int32_t>(high.x, v.x), std::max<std::int32_t>(high.y, v.y),
+            std::max<std::int32_t>(high.z, v.z)};
   }
   ModelView view;
   view.settings.camera.eye = {{}, {}, 4.0_q16};
@@ -37,12 +38,14 @@ inline ModelView model_view(const Mesh& mesh, Angle angle, int height, ShadingMo
   view.settings.lighting = {Fixed<16>::from_ratio(2, 10), model_view_lights};
   view.material = {{255, 200, 150}, shading};
 
-  // world = translation + scale · R · (v + offset) · 2^e; the scale makes the height 2, the translation undoes the centre.
+  // world = translation + scale · R · (v + offset) · 2^e; the scale makes the height 2, the translation undoes the
+  // centre.
   const std::int64_t extent = std::max<std::int64_t>(1, high.y - low.y);
   const int exponent = mesh.step_exponent;
   const auto power = [](std::int64_t value, int by) { return by >= 0 ? value << by : value >> -by; };
   view.transform.rotation = rotation_y(angle);
-  view.transform.scale = Fixed<24>::from_raw(static_cast<std::int32_t>(power((std::int64_t{2} << 40) / extent, -16 - exponent)));
+  view.transform.scale =
+      Fixed<24>::from_raw(static_cast<std::int32_t>(power((std::int64_t{2} << 40) / extent, -16 - exponent)));
   const auto centred = [&](std::int32_t a, std::int32_t b, std::int32_t offset) {
     // −centre in world units, Q16: −(a + b + 2·offset)/2 · 2/extent
     return -((static_cast<std::int64_t>(a) + b + 2 * std::int64_t{offset}) * 65536 / extent);

@@ -29,14 +29,15 @@ inline void make_right_triangles(std::uint32_t leg, std::uint32_t count, int dep
       // Corners o − 1, o, o + 1 of the clockwise square whose corner 0 is top-left.
       const std::uint32_t corner = (orientation + k + 3) & 3;
       const std::uint32_t x = x0 + (corner == 1 || corner == 2 ? leg : 0), y = y0 + (corner >= 2 ? leg : 0);
-      soup.vertices[3 * i + k] = soup_vertex(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), base + random() % 2048, depth_bits);
+      soup.vertices[3 * i + k] =
+          soup_vertex(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), base + random() % 2048, depth_bits);
     }
     soup.colours[i] = static_cast<std::uint16_t>((random() >> 8) & 0xffff);
   }
 }
 
-/// Benchmark scenes S7B and S7F: 20 quads over the whole picture, two triangles each, at depths 3000·(i + 1), farthest or
-/// nearest first.
+/// Benchmark scenes S7B and S7F: 20 quads over the whole picture, two triangles each, at depths 3000·(i + 1), farthest
+/// or nearest first.
 inline void make_full_screen_quads(bool back_to_front, int depth_bits, ScreenSoup soup) {
   constexpr std::uint32_t quads = 20;
   for (std::uint32_t i = 0; i < quads; ++i) {

@@ -1,0 +1,70 @@
+// Draws the scenes of the self-test that fit the board's memory and prints a line for each:
+// `selftest <scene> <visibility> <depth> <band> <crc> <crc of the depths>`. tests/selftest draws the same on the host.
+#include <bunny.hpp>
+#include <teapot.hpp>
+
+#include "board.hpp"
+#include "picture_memory.hpp"
+#include "scenes/selftest_runner.hpp"
+
+namespace {
+
+using namespace spanline;
+
+alignas(Arena::alignment) std::byte memory[board::picture_memory];
+
+constexpr scenes::SelftestModels models{spanline_models::bunny, spanline_models::teapot};
+
+void print(const char* text) {
+  board::write(" ");
+  board::write(text);
+}
+
+void print_line(const scenes::SelftestScene& scene, const scenes::SelftestRun& run,
+                const scenes::SelftestResult& result) {
+  board::write("selftest");
+  print(scene.name);
+  print(scenes::visibility_of(scene, run));
+  print(to_string(run.renderer));
+  print("");
+  board::write_unsigned(run.band);
+  print("");
+  board::write_hex(result.crc);
+  print("");
+  board::write_hex(result.depth);
+  board::write("\n");
+}
+
+void print_failure(const scenes::SelftestScene& scene, Status status) {
+  board::write("selftest:");
+  print(scene.name);
+  print(to_string(status.fault));
+  print(to_string(status.pool));
+  print("wanted ");
+  board::write_unsigned(status.wanted);
+  board::write("\n");
+}
+
+}  // namespace
+
+int main() {
+  board::write("selftest memory ");
+  board::write_unsigned(board::picture_memory);
+  board::write("\n");
+  bool good = true;
+  scenes::for_each_selftest_run(
+      board::picture_memory, [&](const scenes::SelftestScene& scene, const scenes::SelftestRun& run) {
+        const scenes::SelftestResult result =
+            scenes::draw_selftest<board::picture_memory>(scene, run, models, memory, [](const auto&) {});
+        print_line(scene, run, result);
+        if (scenes::as_expected(scene, result.status)) return;
+        print_failure(scene, result.status);
+        good = false;
+      });
+  board::write("selftest stack ");
+  board::write_unsigned(board::stack_used());
+  board::write(" of ");
+  board::write_unsigned(board::stack_size());
+  board::write("\n");
+  return good ? 0 : 1;
+}

@@ -1,0 +1,283 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "scenes/selftest_scenes.hpp"
+
+namespace spanline::scenes {
+
+/// The renderers that the self-test is drawn with. Each costs 15 to 35 KB of flash.
+enum class SelftestRenderer : std::uint8_t {
+  flat_16,         ///< flat shading alone, 16-bit depth
+  flat_16_larger,  ///< the same, and larger depth is nearer
+  full_16,         ///< flat and Gouraud shading, 16-bit depth
+  swapped_16,      ///< the same, and pixels have their high byte first
+  full_24,         ///< flat and Gouraud shading, 24-bit depth
+  full_24_larger,  ///< the same, and larger depth is nearer
+};
+
+/// The renderer as lines of the self-test name it, in the column of the depth.
+[[nodiscard]] constexpr const char* to_string(SelftestRenderer renderer) {
+  constexpr const char* names[] = {"16-flat", "16-flat-larger", "16", "16-swapped", "24", "24-larger"};
+  return names[static_cast<unsigned>(renderer)];
+}
+
+/// One drawing of a scene.
+struct SelftestRun {
+  SelftestRenderer renderer;
+  std::uint16_t band;    ///< lines; the height of the picture for a z-buffer; 0 ends a list of runs
+  std::uint32_t memory;  ///< bytes that it takes on a 32-bit machine, at most
+};
+
+/// A scene of the self-test: the same picture on every machine.
+struct SelftestScene {
+  const char* name;
+  void (*build)(const SelftestRequest&, SelftestContent&);
+  Capacity capacity;             ///< what it takes; the height of bands is a run's business
+  std::uint32_t soup_triangles;  ///< given on screen
+  Pool starved;                  ///< the pool that is too small for it, on purpose
+  std::array<SelftestRun, 8> runs;
+};
+
+namespace selftest_detail {
+
+using enum SelftestRenderer;
+
+constexpr SelftestScene soup(const char* name, SoupShape shape, std::uint16_t width, std::uint16_t height,
+                             std::uint32_t triangles, std::uint32_t active, std::array<SelftestRun, 8> runs) {
+  constexpr void (*builders[])(const SelftestRequest&, SelftestContent&) = {
+      build_soup<SoupShape::tiny>,  build_soup<SoupShape::large>,    build_soup<SoupShape::sliver>,
+      build_soup<SoupShape::guard>, build_soup<SoupShape::crossing>, build_soup<SoupShape::tied>};
+  return {name,
+          builders[static_cast<unsigned>(shape)],
+          {.width = width, .height = height, .polygons = triangles, .active = active},
+          triangles,
+          Pool::none,
+          runs};
+}
+
+inline constexpr SelftestScene scenes[] = {
+    // Random triangles on screen: name, shape, width, height, triangles, active, runs.
+    soup("soup-tiny", SoupShape::tiny, 320, 240, 2000, 36,
+         {{{flat_16, 16, 94656}, {full_16, 1, 67584}, {full_16, 240, 368384}, {full_24, 7, 83200}}}),
+    soup("soup-large", SoupShape::large, 320, 240, 100, 84,
+         {{{flat_16, 16, 41536}, {flat_16_larger, 7, 24256}, {full_24, 16, 54592}, {full_24_larger, 1, 16640}}}),
+    soup("soup-slivers", SoupShape::sliver, 320, 240, 300, 156,
+         {{{flat_16, 16, 53248}, {full_16, 7, 41152}, {full_24, 1, 30656}}}),
+    soup("soup-guard", SoupShape::guard, 320, 240, 100, 68,
+         {{{flat_16, 16, 40256}, {full_16, 1, 14208}, {full_24, 16, 52800}, {full_24, 240, 464960}}}),
+    soup("soup-crossing", SoupShape::crossing, 320, 240, 100, 84,
+         {{{flat_16, 1, 13184},
+           {flat_16, 7, 24256},
+           {flat_16, 16, 41536},
+           {flat_16, 240, 311232},
+           {flat_16_larger, 16, 41536},
+           {full_24, 1, 16640},
+           {full_24, 16, 54592},
+           {full_24_larger, 7, 31552}}}),
+    soup("soup-tied", SoupShape::tied, 320, 240, 40, 36,
+         {{{flat_16, 7, 18624}, {full_16, 240, 309568}, {full_24_larger, 16, 47360}}}),
+    soup("soup-tiny-small", SoupShape::tiny, 128, 128, 200, 12,
+         {{{flat_16, 1, 9024}, {flat_16, 4, 11136}, {full_24, 1, 9792}, {full_24_larger, 2, 10688}}}),
+    soup("soup-slivers-small", SoupShape::sliver, 128, 128, 40, 18,
+         {{{flat_16, 1, 4672}, {flat_16, 7, 9088}, {full_24, 1, 5632}}}),
+    soup("soup-guard-small", SoupShape::guard, 128, 128, 30, 18,
+         {{{flat_16, 1, 4416}, {flat_16, 7, 8768}, {flat_16_larger, 1, 4416}, {full_24, 1, 5376}}}),
+    soup("soup-crossing-small", SoupShape::crossing, 128, 128, 30, 28,
+         {{{flat_16, 1, 5184}, {flat_16, 7, 9600}, {flat_16_larger, 1, 5184}, {full_24, 1, 6464}}}),
+    // Meshes: name, builder, pools, no soup, nothing starved, runs.
+    {"bunny-flat",
+     build_bunny<ShadingMode::flat>,
+     {.width = 320, .height = 240, .vertices = 1850, .polygons = 1540, .active = 72},
+     0,
+     Pool::none,
+     {{{flat_16, 16, 58496}, {flat_16, 240, 329216}, {flat_16_larger, 7, 41280}, {full_24, 16, 71168}}}},
+    {"bunny-gouraud",
+     build_bunny<ShadingMode::gouraud>,
+     {.width = 320, .height = 240, .vertices = 1850, .shades = 1850, .polygons = 1540, .active = 72},
+     0,
+     Pool::none,
+     {{{full_16, 1, 40000},
+       {full_16, 7, 51072},
+       {full_16, 16, 68352},
+       {full_16, 240, 336704},
+       {swapped_16, 7, 51072},
+       {full_24, 7, 55552},
+       {full_24, 16, 78592},
+       {full_24_larger, 16, 78592}}}},
+    {"teapot-flat",
+     build_teapot<ShadingMode::flat>,
+     {.width = 320, .height = 240, .vertices = 540, .polygons = 340, .active = 40},
+     0,
+     Pool::none,
+     {{{flat_16, 1, 12288}, {flat_16, 16, 40640}, {full_24_larger, 7, 29312}}}},
+    {"teapot-gouraud",
+     build_teapot<ShadingMode::gouraud>,
+     {.width = 320, .height = 240, .vertices = 540, .shades = 540, .polygons = 340, .active = 40},
+     0,
+     Pool::none,
+     {{{full_16, 7, 27008},
+       {full_16, 16, 44224},
+       {full_16, 240, 316224},
+       {swapped_16, 1, 15872},
+       {full_24, 16, 54464},
+       {full_24_larger, 7, 31488}}}},
+    {"teapot-cut",
+     build_cut_teapot,
+     {.width = 320, .height = 240, .vertices = 760, .shades = 760, .polygons = 760, .fans = 136, .active = 64},
+     0,
+     Pool::none,
+     {{{full_16, 16, 52608}, {full_24, 7, 39872}}}},
+    {"teapot-ortho",
+     build_ortho_teapot,
+     {.width = 320, .height = 240, .vertices = 540, .polygons = 500, .active = 68},
+     0,
+     Pool::none,
+     {{{flat_16, 16, 43520}, {flat_16_larger, 7, 26304}, {full_24, 16, 56064}}}},
+    {"terrain",
+     build_terrain,
+     {.width = 320, .height = 240, .vertices = 360, .polygons = 220, .fans = 40, .active = 60},
+     0,
+     Pool::none,
+     {{{flat_16_larger, 7, 23488}, {full_16, 16, 42816}, {full_24, 16, 53056}, {full_24_larger, 1, 15104}}}},
+    {"prisms",
+     build_prisms,
+     {.width = 320, .height = 240, .vertices = 66, .polygons = 60, .fans = 56, .active = 24},
+     0,
+     Pool::none,
+     {{{flat_16_larger, 16, 35008}, {full_24, 7, 23168}}}},
+    {"lights",
+     build_lights<ShadingMode::gouraud>,
+     {.width = 320, .height = 240, .vertices = 288, .shades = 288, .polygons = 280, .active = 60},
+     0,
+     Pool::none,
+     {{{full_16, 16, 43200}, {swapped_16, 16, 43200}, {full_24, 7, 30464}}}},
+    {"mixture",
+     build_mixture,
+     {.width = 320,
+      .height = 240,
+      .instances = 4,
+      .vertices = 940,
+      .shades = 576,
+      .polygons = 880,
+      .fans = 64,
+      .active = 140},
+     0,
+     Pool::none,
+     {{{full_16, 1, 33920}, {full_16, 16, 62272}, {full_24, 16, 72512}, {full_24_larger, 7, 49472}}}},
+    {"tube",
+     build_tube,
+     {.width = 320, .height = 240, .vertices = 320, .shades = 320, .polygons = 220, .fans = 16, .active = 44},
+     0,
+     Pool::none,
+     {{{full_16, 16, 41728}, {full_16, 240, 313280}, {full_24, 16, 51968}, {full_24_larger, 7, 28992}}}},
+    // For boards with 16 KB of RAM.
+    {"torus-small",
+     build_mesh<torus, ShadingMode::flat>,
+     {.width = 128, .height = 128, .vertices = 288, .polygons = 272, .active = 52},
+     0,
+     Pool::none,
+     {{{flat_16, 1, 9600},
+       {flat_16, 4, 11712},
+       {flat_16_larger, 1, 9600},
+       {full_24, 1, 11648},
+       {full_24, 128, 102848}}}},
+    {"torus-colours-small",
+     build_mesh<coloured_torus, ShadingMode::gouraud>,
+     {.width = 128, .height = 128, .vertices = 288, .shades = 288, .polygons = 272, .active = 52},
+     0,
+     Pool::none,
+     {{{full_16, 1, 12544}, {full_16, 2, 13184}, {full_24, 1, 12800}}}},
+    {"torus-ortho-small",
+     build_ortho_torus,
+     {.width = 128, .height = 128, .vertices = 288, .shades = 288, .polygons = 288, .active = 48},
+     0,
+     Pool::none,
+     {{{full_16, 1, 12160}, {full_24_larger, 1, 12416}}}},
+    {"inside-out-small",
+     build_inside_out,
+     {.width = 128, .height = 128, .vertices = 288, .polygons = 312, .active = 60},
+     0,
+     Pool::none,
+     {{{flat_16, 1, 10432}, {flat_16_larger, 1, 10432}, {full_24, 1, 12736}}}},
+    {"tube-small",
+     build_tube,
+     {.width = 128, .height = 128, .vertices = 296, .shades = 296, .polygons = 200, .fans = 4, .active = 36},
+     0,
+     Pool::none,
+     {{{full_16, 1, 10624}, {full_24, 1, 10880}}}},
+    {"prisms-small",
+     build_prisms,
+     {.width = 128, .height = 128, .vertices = 66, .polygons = 56, .fans = 56, .active = 24},
+     0,
+     Pool::none,
+     {{{flat_16, 7, 9664}, {full_16, 1, 6208}, {full_24, 7, 12352}}}},
+    {"lights-small",
+     build_lights<ShadingMode::flat>,
+     {.width = 128, .height = 128, .vertices = 288, .polygons = 272, .active = 58},
+     0,
+     Pool::none,
+     {{{flat_16, 4, 12224}, {full_24, 1, 12352}}}},
+    {"lights-smooth-small",
+     build_lights<ShadingMode::gouraud>,
+     {.width = 128, .height = 128, .vertices = 288, .shades = 288, .polygons = 272, .active = 58},
+     0,
+     Pool::none,
+     {{{full_16, 1, 13248}, {swapped_16, 1, 13248}}}},
+    {"chain-small",
+     build_chain,
+     {.width = 128, .height = 128, .instances = 2, .vertices = 576, .shades = 288, .polygons = 528, .active = 68},
+     0,
+     Pool::none,
+     {{{full_16, 1, 17920}, {full_24, 1, 18176}}}},
+    // Pools that run full: what fits is drawn, the same on every machine.
+    {"no-room-polygons",
+     build_mesh<torus, ShadingMode::flat>,
+     {.width = 128, .height = 128, .vertices = 288, .polygons = 150, .active = 52},
+     0,
+     Pool::polygons,
+     {{{full_16, 1, 10944}, {full_24, 1, 11200}}}},
+    {"no-room-active",
+     build_mesh<torus, ShadingMode::gouraud>,
+     {.width = 128, .height = 128, .vertices = 288, .shades = 288, .polygons = 272, .active = 12},
+     0,
+     Pool::active,
+     {{{full_16, 1, 8064}, {full_16, 2, 8704}, {full_24, 1, 8320}}}},
+    {"no-room-vertices",
+     build_chain,
+     {.width = 128, .height = 128, .instances = 2, .vertices = 400, .shades = 288, .polygons = 528, .active = 68},
+     0,
+     Pool::vertices,
+     {{{full_16, 1, 16512}, {full_24, 1, 16768}}}},
+    {"no-room-fans",
+     build_prisms,
+     {.width = 128, .height = 128, .vertices = 66, .polygons = 56, .fans = 20, .active = 24},
+     0,
+     Pool::fans,
+     {{{full_16, 1, 5824}, {full_24, 1, 6080}}}},
+};
+
+}  // namespace selftest_detail
+
+/// Every scene of the self-test and how it is drawn.
+inline constexpr std::span<const SelftestScene> selftest_scenes{selftest_detail::scenes};
+
+/// Calls `visit(scene, run)` for every run of the table that a machine with `memory` bytes to spare draws.
+template <class Visit>
+constexpr void for_each_selftest_run(std::uint32_t memory, Visit&& visit) {
+  for (const SelftestScene& scene : selftest_scenes)
+    for (const SelftestRun& run : scene.runs)
+      if (run.band != 0 && run.memory <= memory) visit(scene, run);
+}
+
+/// Whether a machine with `memory` bytes to spare draws anything with this renderer.
+[[nodiscard]] constexpr bool selftest_uses(SelftestRenderer renderer, std::uint32_t memory) {
+  bool used = false;
+  for_each_selftest_run(memory,
+                        [&](const SelftestScene&, const SelftestRun& run) { used = used || run.renderer == renderer; });
+  return used;
+}
+
+}  // namespace spanline::scenes
