@@ -1,0 +1,122 @@
+// The caller's memory: bytes_needed is enough at any alignment, and less is refused.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "support/effort.hpp"
+#include "support/random.hpp"
+#include "support/studio.hpp"
+
+namespace spanline::test {
+namespace {
+
+using R = Renderer<FullTraits<Rgb565, Depth16<>>>;
+
+Capacity some_capacity(Random& random) {
+  Capacity c;
+  c.width = static_cast<std::uint16_t>(random.between(1, 100));
+  c.height = static_cast<std::uint16_t>(random.between(1, 100));
+  c.band_lines = static_cast<std::uint16_t>(random.between(1, c.height));
+  c.colour_bands = static_cast<std::uint8_t>(random.between(1, 2));
+  for (std::uint32_t* pool : {&c.instances, &c.vertices, &c.shades, &c.polygons, &c.fans, &c.active})
+    *pool = static_cast<std::uint32_t>(random.between(0, 30));
+  return c;
+}
+
+static_assert(R::bytes_needed({.width = 128, .height = 64, .band_lines = 8, .polygons = 100}) < 16384,
+              "a board can hold its budget at compile time");
+
+TEST(Memory, BytesNeededIsEnoughAtEveryAlignment) {
+  Random random(1);
+  for (int i = 0; i < rounds(300); ++i) {
+    const Capacity c = some_capacity(random);
+    const std::size_t needed = R::bytes_needed(c);
+    std::vector<std::byte> memory(needed + 8);
+    for (std::size_t shift = 0; shift < 8; ++shift)
+      ASSERT_TRUE(R(c, std::span(memory).subspan(shift, needed)).status().ok()) << shift;
+  }
+}
+
+TEST(Memory, OneByteLessIsRefusedAndTheSizeNamed) {
+  Random random(2);
+  for (int i = 0; i < rounds(300); ++i) {
+    const Capacity c = some_capacity(random);
+    const std::size_t needed = R::bytes_needed(c);
+    std::vector<std::uint64_t> words(needed / 8 + 2);
+    const auto memory = std::as_writable_bytes(std::span(words));
+    // The worst alignment takes all of bytes_needed; the best leaves 7 bytes unused.
+    const Status worst = R(c, memory.subspan(1, needed - 1)).status();
+    EXPECT_EQ(worst, (Status{Fault::pool_full, Pool::memory, static_cast<std::uint32_t>(needed)}));
+    EXPECT_TRUE(R(c, memory.first(needed - 7)).status().ok());
+    EXPECT_EQ(R(c, memory.first(needed - 8)).status().pool, Pool::memory);
+  }
+}
+
+TEST(Memory, NoneAtAllIsRefused) {
+  EXPECT_EQ(R(Capacity{}, {}).status().pool, Pool::memory);
+  std::byte one{};
+  EXPECT_EQ(R(Capacity{}, {&one, 1}).status().pool, Pool::memory);
+}
+
+TEST(Memory, ARefusedRendererRefusesEveryFrame) {
+  R renderer(Capacity{}, {});
+  const Status refusal = renderer.status();
+  EXPECT_EQ(renderer.begin({}), refusal);
+  EXPECT_EQ(renderer.add({}, {}, {}), refusal);
+  EXPECT_EQ(renderer.add_screen({}, {}), refusal);
+  EXPECT_EQ(renderer.draw([](const auto&) { return true; }), refusal);
+}
+
+TEST(Memory, PeaksNeverExceedWhatWasGiven) {
+  Random random(4);
+  for (int i = 0; i < rounds(100); ++i) {
+    Capacity c = some_capacity(random);
+    c.instances = 1;
+    c.polygons = c.active = 10;
+    std::vector<Corners> soup(10);
+    for (Corners& t : soup)
+      for (Corner& k : t) k = {random.between(0, c.width * 16), random.between(0, c.height * 16), 5};
+    Studio<FullTraits<Rgb565, Depth16<>>> studio(c);
+    (void)studio.draw_screen(soup);
+    ASSERT_TRUE(studio.status().ok());
+    ASSERT_LE(studio.renderer().peaks().total(), R::bytes_needed(c));
+  }
+}
+
+TEST(Configuration, SizesOutsideTheirRangesAreRefused) {
+  std::vector<std::byte> memory(1 << 20);
+  const auto status = [&](Capacity c) { return R(c, memory).status().fault; };
+  const Capacity good{.width = 64, .height = 48, .band_lines = 8};
+  EXPECT_EQ(status(good), Fault::none);
+  const auto spoilt = [&](auto member, int value) {
+    Capacity c = good;
+    c.*member = static_cast<std::remove_reference_t<decltype(c.*member)>>(value);
+    return status(c);
+  };
+  for (const int bad : {0, 2048, 65535}) {
+    EXPECT_EQ(spoilt(&Capacity::width, bad), Fault::bad_configuration) << bad;
+    EXPECT_EQ(spoilt(&Capacity::height, bad), Fault::bad_configuration) << bad;
+  }
+  for (const int bad : {0, 49, 65535}) EXPECT_EQ(spoilt(&Capacity::band_lines, bad), Fault::bad_configuration) << bad;
+  for (const int bad : {0, 3, 255}) EXPECT_EQ(spoilt(&Capacity::colour_bands, bad), Fault::bad_configuration) << bad;
+  for (const auto pool : {&Capacity::polygons, &Capacity::active, &Capacity::instances, &Capacity::fans})
+    EXPECT_EQ(spoilt(pool, -1), Fault::bad_configuration);
+}
+
+TEST(Configuration, AskingForTheBytesOfABadOneIsHarmless) {
+  Capacity c;
+  c.band_lines = 0;
+  EXPECT_GE(R::bytes_needed(c), 0U);
+}
+
+TEST(Configuration, TheLargestPictureWorks) {
+  Capacity c{.width = 2047, .height = 2047, .band_lines = 1, .colour_bands = 1, .polygons = 1, .active = 1};
+  Studio<FlatTraits<Rgb565, Depth16<>>> studio(c);
+  const Corners t{Corner{0, 0, 5}, Corner{2047 * 16, 0, 5}, Corner{0, 2047 * 16, 5}};
+  const auto picture = studio.draw_screen({&t, 1});
+  EXPECT_TRUE(studio.status().ok());
+  EXPECT_EQ(picture.drawn_count(), 2047U * 2046U / 2) << "the hypotenuse runs through pixel centres: not top-left";
+}
+
+}  // namespace
+}  // namespace spanline::test
