@@ -12,6 +12,7 @@ namespace {
 constexpr int depth_range_bits = 29;  // of a distance: [1, 2^29)
 constexpr int position_bits = 30;     // of focal · x
 constexpr int low_bits = 14;          // fraction of a distance's matrix entries
+constexpr std::int32_t low_mask = (1 << low_bits) - 1;
 
 int bit_count(std::int64_t value) { return 64 - leading_zeros_64(static_cast<std::uint64_t>(value) | 1); }
 
@@ -40,12 +41,12 @@ VertexTransform::VertexTransform(const FrameView& view, const ViewTransform& t) 
   const ViewPoint centre = t.sphere_centre();
   const std::int64_t radius = t.sphere_radius();
 
-  // Distance: the farthest fits 29 bits.
+  // Distance: the farthest fits 29 bits. Entries must fit 32 with their fraction, which tiny meshes would exceed: theirs
+  // are counted in steps of many units, and `takes` leaves them to the wide way.
   const int z_shift = bit_count(centre.z + radius) - depth_range_bits;
   for (int j = 0; j < 3; ++j) {
     const std::int64_t entry = shift_rounded(t.entry(2, j), t.guard() + z_shift - low_bits);
-    z_high_[j] = wrapped(entry >> low_bits);
-    z_low_[j] = static_cast<std::int32_t>(entry & ((1 << low_bits) - 1));
+    z_[j] = wrapped(entry);
   }
   tz_ = wrapped(shift_rounded(t.translation(2), t.guard() + z_shift));
 
@@ -95,14 +96,25 @@ VertexTransform::VertexTransform(const FrameView& view, const ViewTransform& t) 
   farthest_ = static_cast<std::int32_t>(view.farthest_depth);
 }
 
+/// Distance of a vertex: entries have 14 fraction bits. One long product a component, or two short ones; the same bits.
+inline std::uint32_t VertexTransform::distance_of(const Vertex16& v) const {
+#if defined(__ARM_ARCH_6M__)
+  const std::uint32_t x = word(v.x), y = word(v.y), z = word(v.z);
+  const std::uint32_t low = word(z_[0] & low_mask) * x + word(z_[1] & low_mask) * y + word(z_[2] & low_mask) * z;
+  return word(z_[0] >> low_bits) * x + word(z_[1] >> low_bits) * y + word(z_[2] >> low_bits) * z + word(tz_) +
+         word(signed_word(low) >> low_bits);
+#else
+  const std::int64_t sum = static_cast<std::int64_t>(z_[0]) * v.x + static_cast<std::int64_t>(z_[1]) * v.y + static_cast<std::int64_t>(z_[2]) * v.z;
+  return static_cast<std::uint32_t>(static_cast<std::uint64_t>(sum >> low_bits)) + word(tz_);
+#endif
+}
+
 template <bool WithOutcodes>
 void VertexTransform::run_all(std::span<const Vertex16> vertices, ScreenVertex* out) const {
   const std::uint32_t depth_position = static_cast<std::uint32_t>(32 - depth_bits_);
   for (const Vertex16& vertex : vertices) {
     const std::uint32_t px = word(vertex.x), py = word(vertex.y), pz = word(vertex.z);
-    const std::uint32_t low = word(z_low_[0]) * px + word(z_low_[1]) * py + word(z_low_[2]) * pz;
-    const std::uint32_t distance = word(z_high_[0]) * px + word(z_high_[1]) * py + word(z_high_[2]) * pz + word(tz_) +
-                                   word(signed_word(low) >> low_bits);
+    const std::uint32_t distance = distance_of(vertex);
     const std::int32_t view_x = signed_word(word(x_[0]) * px + word(x_[1]) * py + word(x_[2]) * pz + word(tx_)) >> 15;
     const std::int32_t view_y = signed_word(word(y_[0]) * px + word(y_[1]) * py + word(y_[2]) * pz + word(ty_)) >> 15;
 

@@ -60,7 +60,7 @@ class AttributeGradients {
     const std::int32_t a = value_of(t_.a), b = value_of(t_.b), c = value_of(t_.c);
     if (active_.flags.size == ActiveTriangle::Size::small &&
         small_triangle::Gradients(static_cast<std::uint32_t>(area_))
-            .fit(t_, a, b, c, 16 * active_.row + 8 - t_.ay, function))
+            .fit<small_triangle::Precision::shade>(t_, a, b, c, 16 * active_.row + 8 - t_.ay, function))
       return;
     fit_wide(a, b, c, function);
   }
@@ -91,13 +91,13 @@ void bend_large(const PolygonCorners& polygon, ActiveTriangle& active);
 template <class Depth, class MakeSurface>
 [[nodiscard, gnu::always_inline]] inline bool set_up(const ScreenVertex* p, const ScreenVertex* q,
                                                      const ScreenVertex* r, const PolygonGroup& group,
-                                                     Viewport viewport, ActiveTriangle& active,
+  const Viewport& viewport, ActiveTriangle& active,
                                                      MakeSurface make_surface) {
   Triangle t = Triangle::from(p, q, r);
   const bool scissored = group.scissored && ((t.a->depth_word | t.b->depth_word | t.c->depth_word) &
                                              (outcode_left | outcode_right | outcode_top | outcode_bottom)) != 0;
-  if (!scissored && small_triangle::fits(t)) {
-    std::int32_t area = t.doubled_area();
+  std::int32_t area = 0;
+  if (!scissored && small_triangle::fits(t) && (magnitude(area = t.doubled_area()) >> 16) == 0) {
     if (area < 0) {
       t.flip();
       area = -area;
@@ -116,7 +116,7 @@ template <class Depth, class MakeSurface>
     small_triangle::set_edges(t, row_offset, 16 * bend_row + 8 - t.ay - (right_bends ? t.dy1 : t.dy2), active.fixed);
     if (Depth::bits != 16 ||
         !small_triangle::Gradients(word(area))
-             .fit(t, t.a->depth<Depth>(), t.b->depth<Depth>(), t.c->depth<Depth>(), row_offset, active.depth)) {
+             .fit<small_triangle::Precision::depth>(t, t.a->depth<Depth>(), t.b->depth<Depth>(), t.c->depth<Depth>(), row_offset, active.depth)) {
       // A copy, so that the triangle itself stays in registers on the usual way.
       const Triangle kept = t;
       fit_wide_depth(kept, area, viewport, Depth::bits, active);
@@ -124,9 +124,9 @@ template <class Depth, class MakeSurface>
     make_surface(AttributeGradients(t, area, active, group.vertices, viewport));
   } else {
     Triangle kept = t;
-    std::int64_t area;
-    if (!set_up_large(kept, scissored, viewport, Depth::bits, active, area)) return false;
-    make_surface(AttributeGradients(kept, area, active, group.vertices, viewport));
+    std::int64_t wide_area;
+    if (!set_up_large(kept, scissored, viewport, Depth::bits, active, wide_area)) return false;
+    make_surface(AttributeGradients(kept, wide_area, active, group.vertices, viewport));
   }
   if constexpr (!Depth::smaller) active.depth = active.depth.complemented();
   return true;

@@ -9,17 +9,17 @@
 
 namespace spanline {
 
-/// Triangles up to 16 × 16 pixels: most of what a model on a small display is made of, and worth a set-up of their own
+/// Triangles up to 20 × 16 pixels: most of what a model on a small display is made of, and worth a set-up of their own
 /// with 32-bit products, table reciprocals and no divide.
 namespace small_triangle {
 
-inline constexpr std::int32_t reach = 128;       ///< greatest |dx| from the top vertex, sixteenths
+inline constexpr std::int32_t reach = 160;       ///< greatest |dx| from the top vertex, sixteenths
 inline constexpr std::int32_t max_height = 255;  ///< greatest dy, sixteenths
 inline constexpr int fraction_bits = 26;         ///< of its columns
 /// Columns between the column of origin and the top vertex's pixel: all of the triangle lies right of the origin.
-inline constexpr std::int32_t margin = 9;
+inline constexpr std::int32_t margin = 11;
 
-/// Whether the class takes the triangle. Its doubled area is at most 2·128·255 < 2^16.
+/// Whether the extent is right; the doubled area must be below 2^16 as well.
 [[nodiscard]] inline bool fits(const Triangle& t) {
   return word(t.dx1 + reach) <= 2 * reach && word(t.dx2 + reach) <= 2 * reach && word(t.dy1 | t.dy2) <= max_height;
 }
@@ -31,8 +31,13 @@ inline constexpr std::array<std::uint32_t, max_height + 1> reciprocal_q26 = [] {
   return table;
 }();
 
-/// Gradients of the quantities of a small triangle: 16-bit values with 16 guard bits, good to 0.2 units over the
-/// triangle, or refused.
+/// How exact a linear function must be. Depth: slopes below 1,024 units a pixel, error below 0.5 units over the triangle.
+/// Shades: slopes below 16,384, error below 52 units of 65,536 (vertex shades keep 64 away from their ends).
+enum class Precision : std::uint8_t { depth, shade };
+
+/// Gradients of the quantities of a small triangle: 16-bit values with 16 guard bits, by the 16-bit reciprocal of its area.
+///
+/// Errors: the reciprocal is good to 1.8·10^-5, and slopes are rounded to multiples of 2^shift guard units.
 class Gradients {
  public:
   /// The doubled area of the triangle that `fit` will be asked for.
@@ -42,18 +47,19 @@ class Gradients {
   /// The linear function through a, b, c (values in [0, 65535]) with ½ added, on row `first_row`; false where the
   /// triangle is too thin or the slope too steep for this precision, and the wide set-up must take it. The column of
   /// origin is `margin` left of a's pixel.
+  template <Precision Wanted>
   [[nodiscard]] bool fit(const Triangle& t, std::int32_t value_a, std::int32_t value_b, std::int32_t value_c,
                          std::int32_t row_offset, LinearFunction& function) const {
     // A unit of the products below is 2^shift guard units a pixel: thin triangles pass if they are short as well.
     const std::uint32_t extent = word(t.dy1 | t.dy2 | (t.dx1 ^ (t.dx1 >> 31)) | (t.dx2 ^ (t.dx2 >> 31)));
-    if (extent << shift_ >= coarsest) return false;
+    if (extent << shift_ >= (Wanted == Precision::depth ? 1u << 17 : 1u << 24)) return false;
     const std::int32_t d1 = value_b - value_a;
     const std::int32_t d2 = value_c - value_a;
     // 2^20·n/area per pixel in 16.16 (16 sixteenths a pixel); with inverse = 2^31/(area·2^shift) the shift is left
     // over.
     const std::int32_t dx = scaled((d1 * t.dy2 - d2 * t.dy1) * 32);
     const std::int32_t dy = scaled((t.dx1 * d2 - t.dx2 * d1) * 32);
-    if ((magnitude(dx) + magnitude(dy)) >> (steepest_log2 - shift_) != 0) return false;
+    if ((magnitude(dx) + magnitude(dy)) >> ((Wanted == Precision::depth ? 26 : 30) - shift_) != 0) return false;
     function.dx = word(dx) << shift_;
     function.dy = word(dy) << shift_;
     const std::int32_t to_centre_x = 8 - (t.ax & 15);
@@ -63,15 +69,12 @@ class Gradients {
   }
 
  private:
-  static constexpr std::uint32_t coarsest = 1u << 16;  ///< extent · 2^shift, sixteenths
-  static constexpr int steepest_log2 = 25;             ///< slopes of 512 units a pixel and more are too steep
-
-  /// (n·inverse) >> 16, |n| < 2^31: by one long product, or by two of 32 bits.
+  /// n·inverse / 2^16 rounded, |n| < 2^31: by one long product, or by two of 32 bits.
   [[nodiscard]] std::int32_t scaled(std::int32_t n) const {
 #if defined(__ARM_ARCH_6M__)
-    return (n >> 16) * inverse_ + signed_word(((word(n) & 0xffffu) * word(inverse_)) >> 16);
+    return (n >> 16) * inverse_ + signed_word((((word(n) & 0xffffu) * word(inverse_) >> 15) + 1) >> 1);
 #else
-    return static_cast<std::int32_t>((static_cast<std::int64_t>(n) * inverse_) >> 16);
+    return static_cast<std::int32_t>((static_cast<std::int64_t>(n) * inverse_ + 0x8000) >> 16);
 #endif
   }
 

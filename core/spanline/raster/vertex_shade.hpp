@@ -9,13 +9,13 @@ namespace spanline {
 namespace vertex_shade {
 
 enum class Kind : std::uint8_t {
-  intensity,  ///< 1/65536 of full light, [2, 65533]
+  intensity,  ///< 1/65536 of full light, [64, 65471]
   colour,     ///< a lit colour: 11 bits of red, 11 of green, 10 of blue, from the top
 };
 
-inline constexpr std::uint32_t lowest_intensity = 2, highest_intensity = 65533;
+inline constexpr std::uint32_t lowest_intensity = 64, highest_intensity = 65471;
 
-/// Channels of 11, 11 and 10 bits, each in [1, 2^bits − 2].
+/// Channels of 11, 11 and 10 bits, off the ends by 64/65536: red and green in [2, 2045], blue in [1, 1022].
 [[nodiscard]] constexpr std::uint32_t pack(std::uint32_t red, std::uint32_t green, std::uint32_t blue) {
   return red << 21 | green << 10 | blue;
 }

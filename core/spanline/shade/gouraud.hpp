@@ -23,11 +23,11 @@ inline constexpr std::size_t ramp_size = std::size_t{1} << ramp_bits;
 
 /// The shade of a coloured vertex: its colour under the light, channels rounded.
 [[nodiscard]] constexpr std::uint32_t shade_of(Rgb888 colour, Intensity intensity) {
-  const auto channel = [intensity](std::uint32_t c, std::uint32_t greatest) {
+  const auto channel = [intensity](std::uint32_t c, std::uint32_t greatest, std::uint32_t off) {
     // c·intensity / 256 has 16 bits, full scale 65,279.
-    return std::clamp<std::uint32_t>((((c * intensity) >> 8) * greatest + 32640) / 65280, 1, greatest - 1);
+    return std::clamp<std::uint32_t>((((c * intensity) >> 8) * greatest + 32640) / 65280, off, greatest - off);
   };
-  return vertex_shade::pack(channel(colour.red, 2047), channel(colour.green, 2047), channel(colour.blue, 1023));
+  return vertex_shade::pack(channel(colour.red, 2047, 2), channel(colour.green, 2047, 2), channel(colour.blue, 1023, 1));
 }
 
 }  // namespace gouraud

@@ -15,6 +15,7 @@ namespace spanline {
 template <class Depth, class Pixel>
 struct DepthRun {
   using Word = typename Depth::Word;
+  static constexpr std::uint32_t short_limit = 21;  ///< a small triangle's row
 
   /// One pixel: written where it is nearer.
   template <class Source>
@@ -28,7 +29,7 @@ struct DepthRun {
     }
   }
 
-  /// 1 … 17 pixels, walked from right to left by a jump into straight code: no loop, no tail.
+  /// 1 … 21 pixels, walked from right to left by a jump into straight code: no loop, no tail.
   /// `z` and `source` stand at the last pixel.
   template <class Source>
   [[gnu::always_inline]] static inline void short_run(Word* depth, Pixel* pixels, std::uint32_t count, std::uint32_t z,
@@ -38,56 +39,28 @@ struct DepthRun {
       z -= dz;
       source.back();
     };
-    if (count - 1 > 16) __builtin_unreachable();  // or the compiler tests the range in every row
+    if (count - 1 >= short_limit) __builtin_unreachable();  // or the compiler tests the range in every row
     switch (count) {
-      case 17:
-        step(16);
-        [[fallthrough]];
-      case 16:
-        step(15);
-        [[fallthrough]];
-      case 15:
-        step(14);
-        [[fallthrough]];
-      case 14:
-        step(13);
-        [[fallthrough]];
-      case 13:
-        step(12);
-        [[fallthrough]];
-      case 12:
-        step(11);
-        [[fallthrough]];
-      case 11:
-        step(10);
-        [[fallthrough]];
-      case 10:
-        step(9);
-        [[fallthrough]];
-      case 9:
-        step(8);
-        [[fallthrough]];
-      case 8:
-        step(7);
-        [[fallthrough]];
-      case 7:
-        step(6);
-        [[fallthrough]];
-      case 6:
-        step(5);
-        [[fallthrough]];
-      case 5:
-        step(4);
-        [[fallthrough]];
-      case 4:
-        step(3);
-        [[fallthrough]];
-      case 3:
-        step(2);
-        [[fallthrough]];
-      case 2:
-        step(1);
-        [[fallthrough]];
+      case 21: step(20); [[fallthrough]];
+      case 20: step(19); [[fallthrough]];
+      case 19: step(18); [[fallthrough]];
+      case 18: step(17); [[fallthrough]];
+      case 17: step(16); [[fallthrough]];
+      case 16: step(15); [[fallthrough]];
+      case 15: step(14); [[fallthrough]];
+      case 14: step(13); [[fallthrough]];
+      case 13: step(12); [[fallthrough]];
+      case 12: step(11); [[fallthrough]];
+      case 11: step(10); [[fallthrough]];
+      case 10: step(9); [[fallthrough]];
+      case 9: step(8); [[fallthrough]];
+      case 8: step(7); [[fallthrough]];
+      case 7: step(6); [[fallthrough]];
+      case 6: step(5); [[fallthrough]];
+      case 5: step(4); [[fallthrough]];
+      case 4: step(3); [[fallthrough]];
+      case 3: step(2); [[fallthrough]];
+      case 2: step(1); [[fallthrough]];
       case 1:
         pixel(depth, pixels, 0, z, source);
         break;
@@ -96,7 +69,7 @@ struct DepthRun {
     }
   }
 
-  static constexpr std::uint32_t short_limit = 17;
+  
 
   /// Any number of pixels ≥ 1; `z` and `source` stand at the first.
   template <class Source>
