@@ -13,7 +13,7 @@ enum class SoupShape : std::uint8_t {
   tiny,      ///< within 6 × 6 pixels, some without any pixel centre
   large,     ///< corners up to half a picture outside it
   sliver,    ///< two corners anywhere, the third within a pixel of the line between them
-  guard,     ///< corners anywhere in the guard band
+  guard,     ///< one corner in the picture, the others anywhere in the guard band
   crossing,  ///< corners anywhere in the picture: each cuts through most others
   tied,      ///< the same, all at one depth: the first that was submitted wins
 };
@@ -68,6 +68,7 @@ struct Maker {
           c.y = between(-guard, guard);
           c.depth = depth();
         }
+        corners[0] = anywhere(0, 0);
         break;
       case SoupShape::crossing:
         for (Corner& c : corners) c = anywhere(0, 0);

@@ -16,6 +16,7 @@ struct SelftestResult {
   Status status;            ///< of the first call that failed
   std::uint32_t crc = 0;    ///< of the picture, line by line
   std::uint32_t depth = 0;  ///< the CRC of its depths
+  std::uint32_t drawn = 0;  ///< triangles that were neither outside nor culled
 };
 
 namespace selftest_detail {
@@ -82,6 +83,8 @@ template <class Traits, class See>
     const SelftestContent::Instance& instance = content.instances[i];
     note(result, renderer.add(*instance.mesh, instance.transform, instance.material));
   }
+  const PolygonCounts& counts = renderer.statistics().polygons;
+  result.drawn = counts.total - counts.outside - counts.back;
   Crc32 crc, depth;
   note(result, renderer.draw([&](const auto& finished) {
     for (const auto pixel : finished.pixels) crc.add(pixel);

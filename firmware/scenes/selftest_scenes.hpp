@@ -46,10 +46,11 @@ inline constexpr std::array<DirectionalLight, 1> one_light{
     {{{0.4243_q30, 0.5657_q30, 0.7071_q30}, Fixed<16>::from_ratio(8, 10)}}};
 
 /// From the left, the right, above and behind; where two of them meet the sum is more than white.
-inline constexpr std::array<DirectionalLight, 4> four_lights{{{{-0.8_q30, {}, 0.6_q30}, Fixed<16>::from_ratio(6, 10)},
-                                                              {{0.8_q30, {}, 0.6_q30}, Fixed<16>::from_ratio(9, 10)},
-                                                              {{{}, 1.0_q30, {}}, Fixed<16>::from_ratio(12, 10)},
-                                                              {{{}, -0.6_q30, -0.8_q30}, Fixed<16>::from_ratio(1, 2)}}};
+inline constexpr std::array<DirectionalLight, 4> four_lights{
+    {{{-0.8_q30, {}, 0.6_q30}, Fixed<16>::from_ratio(35, 100)},
+     {{0.8_q30, {}, 0.6_q30}, Fixed<16>::from_ratio(45, 100)},
+     {{{}, 1.0_q30, {}}, Fixed<16>::from_ratio(8, 10)},
+     {{{}, -0.6_q30, -0.8_q30}, Fixed<16>::from_ratio(5, 10)}}};
 
 inline constexpr Rgb888 background{24, 28, 48};
 
@@ -148,7 +149,7 @@ inline void build_prisms(const SelftestRequest& request, SelftestContent& conten
 template <ShadingMode Mode>
 void build_lights(const SelftestRequest& request, SelftestContent& content) {
   look(request, content);
-  content.settings.lighting = {{}, four_lights};
+  content.settings.lighting = {Fixed<16>::from_ratio(1, 10), four_lights};
   content.add(torus, tilted(35), {{230, 230, 230}, Mode});
 }
 

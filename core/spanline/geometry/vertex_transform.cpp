@@ -32,6 +32,10 @@ bool VertexTransform::takes(const FrameView& view, const ViewTransform& transfor
   const std::int64_t nearest = transform.sphere_centre().z - transform.sphere_radius();
   const std::int64_t farthest = transform.sphere_centre().z + transform.sphere_radius();
   if (farthest > nearest * 16) return false;
+  // Entries with their fraction must fit 32 bits, which those of a mesh of very few steps would not.
+  const int entry_shift = transform.guard() + bit_count(farthest) - depth_range_bits - low_bits;
+  for (int j = 0; j < 3; ++j)
+    if (magnitude_64(shift_rounded(transform.entry(2, j), entry_shift)) >= std::int64_t{1} << 31) return false;
   // far / (far − near) < 4, that is near < 3/4 far
   return transform.near_plane() < transform.far_plane() - (transform.far_plane() >> 2);
 }
@@ -41,8 +45,8 @@ VertexTransform::VertexTransform(const FrameView& view, const ViewTransform& t) 
   const ViewPoint centre = t.sphere_centre();
   const std::int64_t radius = t.sphere_radius();
 
-  // Distance: the farthest fits 29 bits. Entries must fit 32 with their fraction, which tiny meshes would exceed: theirs
-  // are counted in steps of many units, and `takes` leaves them to the wide way.
+  // Distance: the farthest fits 29 bits. Entries must fit 32 with their fraction, which tiny meshes would exceed:
+  // theirs are counted in steps of many units, and `takes` leaves them to the wide way.
   const int z_shift = bit_count(centre.z + radius) - depth_range_bits;
   for (int j = 0; j < 3; ++j) {
     const std::int64_t entry = shift_rounded(t.entry(2, j), t.guard() + z_shift - low_bits);
@@ -67,7 +71,7 @@ VertexTransform::VertexTransform(const FrameView& view, const ViewTransform& t) 
   }
   tx_ = position_offset(t.translation(0));
   ty_ = position_offset(-t.translation(1));
-  shift_ = 25 + z_shift - x_shift;
+  shift_ = 25 + z_shift - x_shift - 1;  // the last bit goes with the rounding
 
   // Depth = base − scale / z with base = (2^N − 1)·f/(f − n) and scale = base·n.
   const std::int64_t near = t.near_plane(), range = t.far_plane() - near;
@@ -96,49 +100,57 @@ VertexTransform::VertexTransform(const FrameView& view, const ViewTransform& t) 
   farthest_ = static_cast<std::int32_t>(view.farthest_depth);
 }
 
-/// Distance of a vertex: entries have 14 fraction bits. One long product a component, or two short ones; the same bits.
-inline std::uint32_t VertexTransform::distance_of(const Vertex16& v) const {
-#if defined(__ARM_ARCH_6M__)
-  const std::uint32_t x = word(v.x), y = word(v.y), z = word(v.z);
-  const std::uint32_t low = word(z_[0] & low_mask) * x + word(z_[1] & low_mask) * y + word(z_[2] & low_mask) * z;
-  return word(z_[0] >> low_bits) * x + word(z_[1] >> low_bits) * y + word(z_[2] >> low_bits) * z + word(tz_) +
-         word(signed_word(low) >> low_bits);
-#else
-  const std::int64_t sum = static_cast<std::int64_t>(z_[0]) * v.x + static_cast<std::int64_t>(z_[1]) * v.y + static_cast<std::int64_t>(z_[2]) * v.z;
-  return static_cast<std::uint32_t>(static_cast<std::uint64_t>(sum >> low_bits)) + word(tz_);
-#endif
-}
-
 template <bool WithOutcodes>
 void VertexTransform::run_all(std::span<const Vertex16> vertices, ScreenVertex* out) const {
-  const std::uint32_t depth_position = static_cast<std::uint32_t>(32 - depth_bits_);
+  // A copy that no store can alias: its constants stay where the compiler puts them.
+  const VertexTransform t = *this;
+  const auto depth_position = static_cast<std::uint32_t>(32 - t.depth_bits_);
+#if defined(__ARM_ARCH_6M__)
+  const std::uint32_t low_x = word(t.z_[0] & low_mask), low_y = word(t.z_[1] & low_mask),
+                      low_z = word(t.z_[2] & low_mask);
+  const std::uint32_t high_x = word(t.z_[0] >> low_bits), high_y = word(t.z_[1] >> low_bits),
+                      high_z = word(t.z_[2] >> low_bits);
+#endif
   for (const Vertex16& vertex : vertices) {
     const std::uint32_t px = word(vertex.x), py = word(vertex.y), pz = word(vertex.z);
-    const std::uint32_t distance = distance_of(vertex);
-    const std::int32_t view_x = signed_word(word(x_[0]) * px + word(x_[1]) * py + word(x_[2]) * pz + word(tx_)) >> 15;
-    const std::int32_t view_y = signed_word(word(y_[0]) * px + word(y_[1]) * py + word(y_[2]) * pz + word(ty_)) >> 15;
+    // Distance, entries with 14 fraction bits: one long product a component, or two short ones; the same bits.
+#if defined(__ARM_ARCH_6M__)
+    const std::uint32_t low = low_x * px + low_y * py + low_z * pz;
+    const std::uint32_t distance =
+        high_x * px + high_y * py + high_z * pz + word(t.tz_) + word(signed_word(low) >> low_bits);
+#else
+    const std::int64_t sum = static_cast<std::int64_t>(t.z_[0]) * vertex.x +
+                             static_cast<std::int64_t>(t.z_[1]) * vertex.y +
+                             static_cast<std::int64_t>(t.z_[2]) * vertex.z;
+    const std::uint32_t distance =
+        static_cast<std::uint32_t>(static_cast<std::uint64_t>(sum >> low_bits)) + word(t.tz_);
+#endif
+    const std::int32_t view_x =
+        signed_word(word(t.x_[0]) * px + word(t.x_[1]) * py + word(t.x_[2]) * pz + word(t.tx_)) >> 15;
+    const std::int32_t view_y =
+        signed_word(word(t.y_[0]) * px + word(t.y_[1]) * py + word(t.y_[2]) * pz + word(t.ty_)) >> 15;
 
     const int normalise = leading_zeros_32(distance) - (32 - depth_range_bits);
     const std::uint32_t z = distance << normalise;            // [2^28, 2^29)
     const std::uint32_t reciprocal = reciprocal_16(z >> 13);  // 2^44 / z
-    const int shift = shift_ - normalise - 1;
+    const int shift = t.shift_ - normalise;
     const std::int32_t x = (((view_x * signed_word(reciprocal)) >> shift) + 1) >> 1;
     const std::int32_t y = (((view_y * signed_word(reciprocal)) >> shift) + 1) >> 1;
 
     // A second Newton step for depth: 2^54 / z with 26 bits. z·reciprocal ≈ 2^44, so its low word is the error.
     const std::int32_t error = signed_word(0u - z * reciprocal);
     const std::uint32_t fine = (reciprocal << 10) + word(((error >> 16) * signed_word(reciprocal)) >> 18);
-    const std::uint32_t behind = multiply_high(fine << 5, depth_scale_) >> (depth_shift_ - normalise);
-    std::int32_t depth = signed_word(depth_base_ - behind) >> depth_fraction_;
-    depth = depth < nearest_ ? nearest_ : depth > farthest_ ? farthest_ : depth;
+    const std::uint32_t behind = multiply_high(fine << 5, t.depth_scale_) >> (t.depth_shift_ - normalise);
+    std::int32_t depth = signed_word(t.depth_base_ - behind) >> t.depth_fraction_;
+    depth = depth < t.nearest_ ? t.nearest_ : depth > t.farthest_ ? t.farthest_ : depth;
 
-    const std::int32_t biased_x = x + centre_x_, biased_y = y + centre_y_;
+    const std::int32_t biased_x = x + t.centre_x_, biased_y = y + t.centre_y_;
     std::uint32_t code = 0;
     if constexpr (WithOutcodes) {
       if (biased_x < ScreenVertex::bias) code |= outcode_left;
-      if (biased_x > right_) code |= outcode_right;
+      if (biased_x > t.right_) code |= outcode_right;
       if (biased_y < ScreenVertex::bias) code |= outcode_top;
-      if (biased_y > bottom_) code |= outcode_bottom;
+      if (biased_y > t.bottom_) code |= outcode_bottom;
     }
     out->x = static_cast<std::uint16_t>(biased_x);
     out->y = static_cast<std::uint16_t>(biased_y);

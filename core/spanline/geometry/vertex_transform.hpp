@@ -24,13 +24,12 @@ class VertexTransform {
   void run(std::span<const Vertex16> vertices, ScreenVertex* out, bool with_outcodes) const;
 
  private:
-  [[nodiscard]] std::uint32_t distance_of(const Vertex16& vertex) const;
   template <bool WithOutcodes>
   void run_all(std::span<const Vertex16> vertices, ScreenVertex* out) const;
 
   std::int32_t x_[3], y_[3];  ///< focal · view x and −y, units of 2^-x_shift; wraps modulo 2^32
   std::int32_t tx_, ty_;
-  std::int32_t z_[3];                  ///< distance, < 2^29: entries with 14 fraction bits
+  std::int32_t z_[3];  ///< distance, < 2^29: entries with 14 fraction bits
   std::int32_t tz_;
   std::int32_t shift_;         ///< of (x >> 15)·reciprocal to sixteenths, at full normalisation
   std::uint32_t depth_scale_;  ///< n·f/(f − n) · (2^N − 1), normalised to [2^31, 2^32)

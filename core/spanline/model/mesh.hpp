@@ -51,15 +51,15 @@ struct Mesh {
   static constexpr std::size_t max_vertices = 65535;
   static constexpr std::size_t max_polygons = 32767;
 
-  std::span<const Vertex16> vertices;       ///< the vertices, or empty if `wide_vertices` holds them
-  std::span<const Vertex32> wide_vertices;  ///< the vertices in their wide form, or empty
-  std::span<const std::uint16_t> indices;   ///< corner indices, polygon after polygon
-  std::span<const std::uint8_t> corners;    ///< corners of each polygon; empty: all are triangles
+  std::span<const Vertex16> vertices{};       ///< the vertices, or empty if `wide_vertices` holds them
+  std::span<const Vertex32> wide_vertices{};  ///< the vertices in their wide form, or empty
+  std::span<const std::uint16_t> indices{};   ///< corner indices, polygon after polygon
+  std::span<const std::uint8_t> corners{};    ///< corners of each polygon; empty: all are triangles
 
-  std::span<const PackedNormal> polygon_normals;  ///< one a polygon, for flat light; empty: fully lit
-  std::span<const PackedNormal> vertex_normals;   ///< one a vertex, for Gouraud light; empty: fully lit
-  std::span<const Rgb888> polygon_colours;        ///< one a polygon; empty: the material's colour
-  std::span<const Rgb888> vertex_colours;         ///< one a vertex; empty: the material's colour
+  std::span<const PackedNormal> polygon_normals{};  ///< one a polygon, for flat light; empty: fully lit
+  std::span<const PackedNormal> vertex_normals{};   ///< one a vertex, for Gouraud light; empty: fully lit
+  std::span<const Rgb888> polygon_colours{};        ///< one a polygon; empty: the material's colour
+  std::span<const Rgb888> vertex_colours{};         ///< one a vertex; empty: the material's colour
 
   Vec3<std::int32_t> offset{};      ///< steps, added to every vertex; |component| ≤ 2^30
   std::int8_t step_exponent = -13;  ///< world units a step are 2^step_exponent; [−30, 14]

@@ -44,19 +44,19 @@ bool set_up_large(Triangle& t, bool scissored, Viewport viewport, int depth_bits
   const std::int32_t first = std::max(row_at(t.ay), row_bias);
   const std::int32_t end = std::min(std::max(row1, row2), bottom);
   if (first >= end) return false;
-  active.flags = {
-      .size = ActiveTriangle::Size::large, .right_bends = t.dy1 < t.dy2, .bent = false, .clipped = scissored};
-  const std::int32_t bend_row = std::clamp(active.flags.right_bends ? row1 : row2, first, end);
+  const bool right_bends = t.dy1 < t.dy2;
+  const bool medium = !scissored && medium_triangle::fits(t);
+  active.flags = {medium ? ActiveTriangle::Size::medium : ActiveTriangle::Size::large, right_bends, scissored};
+  const std::int32_t bend_row = std::clamp(right_bends ? row1 : row2, first, end);
   active.origin = 0;
   active.row = static_cast<std::uint16_t>(first);
   active.rows_to_bend = static_cast<std::uint16_t>(bend_row - first);
   active.rows_after_bend = static_cast<std::uint16_t>(end - bend_row);
-  if (!scissored && medium_triangle::fits(t)) {
-    active.flags.size = ActiveTriangle::Size::medium;
+  if (medium) {
     const std::int32_t origin = medium_triangle::origin_of(t);
     active.origin = static_cast<std::int16_t>(origin - row_bias);
     medium_triangle::set_edges(t, origin, 16 * first + 8 - t.ay,
-                               16 * bend_row + 8 - t.ay - (active.flags.right_bends ? t.dy1 : t.dy2), active.fixed);
+                               16 * bend_row + 8 - t.ay - (right_bends ? t.dy1 : t.dy2), active.fixed);
     fit_wide_depth(t, area, viewport, depth_bits, active);
     return true;
   }
@@ -64,7 +64,7 @@ bool set_up_large(Triangle& t, bool scissored, Viewport viewport, int depth_bits
   if (active.rows_to_bend != 0) {
     active.large.left = edge_between(*t.a, *t.c, first);
     active.large.right = edge_between(*t.a, *t.b, first);
-  } else if (active.flags.right_bends) {
+  } else if (right_bends) {
     active.large.left = edge_between(*t.a, *t.c, first);
   } else {
     active.large.right = edge_between(*t.a, *t.b, first);
@@ -76,7 +76,7 @@ bool set_up_large(Triangle& t, bool scissored, Viewport viewport, int depth_bits
 void bend_large(const PolygonCorners& polygon, ActiveTriangle& active) {
   Triangle t = Triangle::from(polygon.corner[0], polygon.corner[1], polygon.corner[2]);
   if (t.wide_doubled_area() < 0) t.flip();
-  if (active.flags.right_bends) {
+  if (active.flags.right_bends()) {
     active.large.right = edge_between(*t.b, *t.c, active.row);
   } else {
     active.large.left = edge_between(*t.c, *t.b, active.row);

@@ -31,12 +31,26 @@ struct ActiveTriangle {
   std::uint16_t rows_to_bend;     ///< rows until the left or right edge gives way to the third
   std::uint16_t rows_after_bend;  ///< rows of the third edge
   enum class Size : std::uint8_t { small, medium, large };
-  /// Flags of one word, so that set-up writes them at once.
-  struct Flags {
-    Size size;         ///< `large` edges are in `large`, others in `fixed`
-    bool right_bends;  ///< the third edge is on the right
-    bool bent;         ///< the third edge is in place
-    bool clipped;      ///< runs must be cut to the viewport's columns
+
+  /// One word, so that set-up writes it at once.
+  class Flags {
+   public:
+    Flags() = default;
+    Flags(Size size, bool right_bends, bool clipped)
+        : bits_(static_cast<std::uint32_t>(size) | (right_bends ? right_bends_bit : 0) | (clipped ? clipped_bit : 0)) {}
+    /// `large` edges are in `large`, others in `fixed`.
+    [[nodiscard]] Size size() const { return static_cast<Size>(bits_ & size_mask); }
+    /// The third edge is on the right.
+    [[nodiscard]] bool right_bends() const { return (bits_ & right_bends_bit) != 0; }
+    /// Runs must be cut to the viewport's columns.
+    [[nodiscard]] bool clipped() const { return (bits_ & clipped_bit) != 0; }
+    /// The third edge is in place.
+    [[nodiscard]] bool bent() const { return (bits_ & bent_bit) != 0; }
+    void set_bent() { bits_ |= bent_bit; }
+
+   private:
+    static constexpr std::uint32_t size_mask = 3, right_bends_bit = 4, clipped_bit = 8, bent_bit = 16;
+    std::uint32_t bits_;
   } flags;
 
   [[nodiscard]] std::int32_t end_row() const { return row + rows_to_bend + rows_after_bend; }
@@ -58,7 +72,7 @@ class AttributeGradients {
   template <class ValueOf>
   void fit(ValueOf value_of, LinearFunction& function) const {
     const std::int32_t a = value_of(t_.a), b = value_of(t_.b), c = value_of(t_.c);
-    if (active_.flags.size == ActiveTriangle::Size::small &&
+    if (active_.flags.size() == ActiveTriangle::Size::small &&
         small_triangle::Gradients(static_cast<std::uint32_t>(area_))
             .fit<small_triangle::Precision::shade>(t_, a, b, c, 16 * active_.row + 8 - t_.ay, function))
       return;
@@ -91,7 +105,7 @@ void bend_large(const PolygonCorners& polygon, ActiveTriangle& active);
 template <class Depth, class MakeSurface>
 [[nodiscard, gnu::always_inline]] inline bool set_up(const ScreenVertex* p, const ScreenVertex* q,
                                                      const ScreenVertex* r, const PolygonGroup& group,
-  const Viewport& viewport, ActiveTriangle& active,
+                                                     const Viewport& viewport, ActiveTriangle& active,
                                                      MakeSurface make_surface) {
   Triangle t = Triangle::from(p, q, r);
   const bool scissored = group.scissored && ((t.a->depth_word | t.b->depth_word | t.c->depth_word) &
@@ -108,7 +122,7 @@ template <class Depth, class MakeSurface>
     const std::int32_t end = right_bends ? row2 : row1;
     if (first >= end || area == 0) return false;
     const std::int32_t row_offset = 16 * first + 8 - t.ay;
-    active.flags = {.size = ActiveTriangle::Size::small, .right_bends = right_bends, .bent = false, .clipped = false};
+    active.flags = {ActiveTriangle::Size::small, right_bends, false};
     active.origin = static_cast<std::int16_t>((t.ax >> 4) - row_bias - small_triangle::margin);
     active.row = static_cast<std::uint16_t>(first);
     active.rows_to_bend = static_cast<std::uint16_t>(bend_row - first);
@@ -116,7 +130,8 @@ template <class Depth, class MakeSurface>
     small_triangle::set_edges(t, row_offset, 16 * bend_row + 8 - t.ay - (right_bends ? t.dy1 : t.dy2), active.fixed);
     if (Depth::bits != 16 ||
         !small_triangle::Gradients(word(area))
-             .fit<small_triangle::Precision::depth>(t, t.a->depth<Depth>(), t.b->depth<Depth>(), t.c->depth<Depth>(), row_offset, active.depth)) {
+             .fit<small_triangle::Precision::depth>(t, t.a->depth<Depth>(), t.b->depth<Depth>(), t.c->depth<Depth>(),
+                                                    row_offset, active.depth)) {
       // A copy, so that the triangle itself stays in registers on the usual way.
       const Triangle kept = t;
       fit_wide_depth(kept, area, viewport, Depth::bits, active);

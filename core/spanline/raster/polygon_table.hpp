@@ -2,16 +2,12 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <type_traits>
 
 #include "spanline/raster/screen_vertex.hpp"
+#include "spanline/raster/span.hpp"
 
 namespace spanline {
 
-/// Numbers of polygons and vertices inside a frame: 16 bits on microcontrollers (65,534 polygons), 32 bits where
-/// pointers have 64.
-using Link = std::conditional_t<(sizeof(void*) > 4), std::uint32_t, std::uint16_t>;
-inline constexpr Link no_link = std::numeric_limits<Link>::max();
 /// Set in PolygonReference::source if the low bits number a FanTriangle.
 inline constexpr Link fan_flag = static_cast<Link>(Link{1} << (std::numeric_limits<Link>::digits - 1));
 
@@ -36,13 +32,6 @@ struct PolygonGroup {
   Link first = 0;                          ///< number of its first polygon
   std::uint32_t first_id = 0;              ///< id of its triangle 0
   bool scissored = false;                  ///< whether a polygon may leave the viewport
-};
-
-/// A polygon as found in the table.
-struct PolygonCorners {
-  const ScreenVertex* corner[3];
-  Link triangle;  ///< triangle number within the group
-  Link polygon;   ///< polygon number within the mesh
 };
 
 /// The polygon table PT with the starts of the edge table ET: the polygons of a frame in order of submission, and for

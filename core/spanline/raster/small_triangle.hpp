@@ -31,11 +31,12 @@ inline constexpr std::array<std::uint32_t, max_height + 1> reciprocal_q26 = [] {
   return table;
 }();
 
-/// How exact a linear function must be. Depth: slopes below 1,024 units a pixel, error below 0.5 units over the triangle.
-/// Shades: slopes below 16,384, error below 52 units of 65,536 (vertex shades keep 64 away from their ends).
+/// How exact a linear function must be. Depth: slopes below 1,024 units a pixel, error below 0.5 units over the
+/// triangle. Shades: slopes below 16,384, error below 52 units of 65,536 (vertex shades keep 64 away from their ends).
 enum class Precision : std::uint8_t { depth, shade };
 
-/// Gradients of the quantities of a small triangle: 16-bit values with 16 guard bits, by the 16-bit reciprocal of its area.
+/// Gradients of the quantities of a small triangle: 16-bit values with 16 guard bits, by the 16-bit reciprocal of its
+/// area.
 ///
 /// Errors: the reciprocal is good to 1.8·10^-5, and slopes are rounded to multiples of 2^shift guard units.
 class Gradients {
@@ -51,8 +52,11 @@ class Gradients {
   [[nodiscard]] bool fit(const Triangle& t, std::int32_t value_a, std::int32_t value_b, std::int32_t value_c,
                          std::int32_t row_offset, LinearFunction& function) const {
     // A unit of the products below is 2^shift guard units a pixel: thin triangles pass if they are short as well.
-    const std::uint32_t extent = word(t.dy1 | t.dy2 | (t.dx1 ^ (t.dx1 >> 31)) | (t.dx2 ^ (t.dx2 >> 31)));
-    if (extent << shift_ >= (Wanted == Precision::depth ? 1u << 17 : 1u << 24)) return false;
+    constexpr int never_too_coarse = Wanted == Precision::depth ? 9 : 16;
+    if (shift_ > never_too_coarse) {
+      const std::uint32_t extent = word(t.dy1 | t.dy2 | (t.dx1 ^ (t.dx1 >> 31)) | (t.dx2 ^ (t.dx2 >> 31)));
+      if (extent << shift_ >= 1u << 17) return false;
+    }
     const std::int32_t d1 = value_b - value_a;
     const std::int32_t d2 = value_c - value_a;
     // 2^20·n/area per pixel in 16.16 (16 sixteenths a pixel); with inverse = 2^31/(area·2^shift) the shift is left

@@ -1,10 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "spanline/model/material.hpp"
-#include "spanline/raster/gradients.hpp"
-#include "spanline/raster/polygon_table.hpp"
-#include "spanline/raster/small_triangle.hpp"
+#include "spanline/raster/span.hpp"
 #include "spanline/shade/shading_group.hpp"
 
 namespace spanline {
@@ -18,7 +15,6 @@ namespace spanline {
 template <class Format>
 struct FlatShader {
   using Pixel = typename Format::Pixel;
-  static constexpr ShadingMode mode = ShadingMode::flat;
 
   struct Source {
     static constexpr bool constant = true;

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "spanline/raster/linear_function.hpp"
-#include "spanline/raster/polygon_table.hpp"
+#include "spanline/raster/span.hpp"
 #include "spanline/raster/vertex_shade.hpp"
 #include "spanline/shade/shading_group.hpp"
 
@@ -27,7 +27,8 @@ inline constexpr std::size_t ramp_size = std::size_t{1} << ramp_bits;
     // c·intensity / 256 has 16 bits, full scale 65,279.
     return std::clamp<std::uint32_t>((((c * intensity) >> 8) * greatest + 32640) / 65280, off, greatest - off);
   };
-  return vertex_shade::pack(channel(colour.red, 2047, 2), channel(colour.green, 2047, 2), channel(colour.blue, 1023, 1));
+  return vertex_shade::pack(channel(colour.red, 2047, 2), channel(colour.green, 2047, 2),
+                            channel(colour.blue, 1023, 1));
 }
 
 }  // namespace gouraud

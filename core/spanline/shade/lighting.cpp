@@ -23,9 +23,9 @@ void set_lights(const Lighting& lighting, const Transform& transform, ShadingGro
 
 void shade_vertices(const Mesh& mesh, const ShadingGroup& group, std::uint32_t* shades) {
   const std::size_t count = mesh.vertex_count();
+  const ShadingGroup lit = group;  // a copy that no store can alias
   for (std::size_t i = 0; i < count; ++i) {
-    const Intensity intensity =
-        mesh.vertex_normals.empty() ? Intensity{65535} : group.intensity(mesh.vertex_normals[i]);
+    const Intensity intensity = mesh.vertex_normals.empty() ? Intensity{65535} : lit.intensity(mesh.vertex_normals[i]);
     shades[i] = mesh.vertex_colours.empty() ? gouraud::shade_of(intensity)
                                             : gouraud::shade_of(mesh.vertex_colours[i], intensity);
   }

@@ -171,11 +171,11 @@ class DepthBuffer {
   /// The columns [first, end) of the current row, and a step down; false where only the bend was made.
   static bool step_row(ActiveTriangle& triangle, const PolygonCorners& corners, std::int32_t& first,
                        std::int32_t& end) {
-    if (triangle.rows_to_bend == 0 && !triangle.flags.bent) {
-      triangle.flags.bent = true;
-      if (triangle.flags.size == ActiveTriangle::Size::large) {
+    if (triangle.rows_to_bend == 0 && !triangle.flags.bent()) {
+      triangle.flags.set_bent();
+      if (triangle.flags.size() == ActiveTriangle::Size::large) {
         bend_large(corners, triangle);
-      } else if (triangle.flags.right_bends) {
+      } else if (triangle.flags.right_bends()) {
         triangle.fixed.right = triangle.fixed.bend;
         triangle.fixed.right_step = triangle.fixed.bend_step;
       } else {
@@ -184,13 +184,13 @@ class DepthBuffer {
       }
       return false;
     }
-    if (triangle.flags.size == ActiveTriangle::Size::large) {
+    if (triangle.flags.size() == ActiveTriangle::Size::large) {
       first = triangle.large.left.x;
       end = triangle.large.right.x;
       triangle.large.left.next_row();
       triangle.large.right.next_row();
     } else {
-      const bool is_small = triangle.flags.size == ActiveTriangle::Size::small;
+      const bool is_small = triangle.flags.size() == ActiveTriangle::Size::small;
       const int fraction_bits = is_small ? small_triangle::fraction_bits : medium_triangle::fraction_bits;
       first = triangle.origin + signed_word(triangle.fixed.left >> fraction_bits);
       end = triangle.origin + signed_word(triangle.fixed.right >> fraction_bits);

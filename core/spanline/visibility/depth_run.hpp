@@ -2,6 +2,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "spanline/raster/span.hpp"
+
 #if defined(__ARM_FEATURE_SIMD32)
 #include <arm_acle.h>
 #endif
@@ -18,7 +20,7 @@ struct DepthRun {
   static constexpr std::uint32_t short_limit = 21;  ///< a small triangle's row
 
   /// One pixel: written where it is nearer.
-  template <class Source>
+  template <PixelSource Source>
   [[gnu::always_inline]] static inline void pixel(Word* depth, Pixel* pixels, std::size_t i, std::uint32_t z,
                                                   const Source& source) {
     const std::uint32_t candidate = Depth::stored(z);
@@ -31,7 +33,7 @@ struct DepthRun {
 
   /// 1 … 21 pixels, walked from right to left by a jump into straight code: no loop, no tail.
   /// `z` and `source` stand at the last pixel.
-  template <class Source>
+  template <PixelSource Source>
   [[gnu::always_inline]] static inline void short_run(Word* depth, Pixel* pixels, std::uint32_t count, std::uint32_t z,
                                                       std::uint32_t dz, Source source) {
     const auto step = [&](std::size_t i) __attribute__((always_inline)) {
@@ -41,38 +43,76 @@ struct DepthRun {
     };
     if (count - 1 >= short_limit) __builtin_unreachable();  // or the compiler tests the range in every row
     switch (count) {
-      case 21: step(20); [[fallthrough]];
-      case 20: step(19); [[fallthrough]];
-      case 19: step(18); [[fallthrough]];
-      case 18: step(17); [[fallthrough]];
-      case 17: step(16); [[fallthrough]];
-      case 16: step(15); [[fallthrough]];
-      case 15: step(14); [[fallthrough]];
-      case 14: step(13); [[fallthrough]];
-      case 13: step(12); [[fallthrough]];
-      case 12: step(11); [[fallthrough]];
-      case 11: step(10); [[fallthrough]];
-      case 10: step(9); [[fallthrough]];
-      case 9: step(8); [[fallthrough]];
-      case 8: step(7); [[fallthrough]];
-      case 7: step(6); [[fallthrough]];
-      case 6: step(5); [[fallthrough]];
-      case 5: step(4); [[fallthrough]];
-      case 4: step(3); [[fallthrough]];
-      case 3: step(2); [[fallthrough]];
-      case 2: step(1); [[fallthrough]];
+      case 21:
+        step(20);
+        [[fallthrough]];
+      case 20:
+        step(19);
+        [[fallthrough]];
+      case 19:
+        step(18);
+        [[fallthrough]];
+      case 18:
+        step(17);
+        [[fallthrough]];
+      case 17:
+        step(16);
+        [[fallthrough]];
+      case 16:
+        step(15);
+        [[fallthrough]];
+      case 15:
+        step(14);
+        [[fallthrough]];
+      case 14:
+        step(13);
+        [[fallthrough]];
+      case 13:
+        step(12);
+        [[fallthrough]];
+      case 12:
+        step(11);
+        [[fallthrough]];
+      case 11:
+        step(10);
+        [[fallthrough]];
+      case 10:
+        step(9);
+        [[fallthrough]];
+      case 9:
+        step(8);
+        [[fallthrough]];
+      case 8:
+        step(7);
+        [[fallthrough]];
+      case 7:
+        step(6);
+        [[fallthrough]];
+      case 6:
+        step(5);
+        [[fallthrough]];
+      case 5:
+        step(4);
+        [[fallthrough]];
+      case 4:
+        step(3);
+        [[fallthrough]];
+      case 3:
+        step(2);
+        [[fallthrough]];
+      case 2:
+        step(1);
+        [[fallthrough]];
       case 1:
-        pixel(depth, pixels, 0, z, source);
+        step(0);
         break;
       default:
         __builtin_unreachable();
     }
   }
 
-  
-
   /// Any number of pixels ≥ 1; `z` and `source` stand at the first.
-  template <class Source>
+  template <PixelSource Source>
   [[gnu::noinline]] static void long_run(Word* depth, Pixel* pixels, std::uint32_t count, std::uint32_t z,
                                          std::uint32_t dz, Source source) {
     if constexpr (Source::constant) {
@@ -96,7 +136,7 @@ struct DepthRun {
   }
 
   /// Either, by the count.
-  template <class Source>
+  template <PixelSource Source>
   static inline void run(Word* depth, Pixel* pixels, std::uint32_t count, std::uint32_t z, std::uint32_t dz,
                          Source source) {
     if (count <= short_limit)
@@ -139,7 +179,7 @@ struct DepthRun {
 #endif
   }
 
-  template <class Source>
+  template <PixelSource Source>
   static inline void short_run_from_left(Word* depth, Pixel* pixels, std::uint32_t count, std::uint32_t z,
                                          std::uint32_t dz, Source& source) {
     if constexpr (Source::constant) {
@@ -155,11 +195,11 @@ struct DepthRun {
 
 #if defined(__ARM_FEATURE_SIMD32)
   /// Whether two pixels can be decided at once: USUB16 compares two 16-bit depths, SEL picks the survivors.
-  template <class Source>
+  template <PixelSource Source>
   static constexpr bool pairs_fit = Source::constant && sizeof(Word) == 2 && sizeof(Pixel) == 2 && Depth::smaller;
 
   /// Whole blocks of eight pixels; what is left of the run stays in the arguments.
-  template <class Source>
+  template <PixelSource Source>
   [[gnu::always_inline]] static inline void pair_blocks(Word*& depth, Pixel*& pixels, std::uint32_t& count,
                                                         std::uint32_t& z, std::uint32_t dz, const Source& source) {
     if (reinterpret_cast<std::uintptr_t>(depth) & 2) {
@@ -196,7 +236,7 @@ struct DepthRun {
     }
   }
 #else
-  template <class Source>
+  template <PixelSource Source>
   static constexpr bool pairs_fit = false;
 #endif
 };

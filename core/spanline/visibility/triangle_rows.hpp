@@ -110,19 +110,19 @@ class TriangleRows {
   template <class Surface, class CornersOf>
   static void draw_rows(ActiveTriangle& triangle, Surface& surface, const Target& target, std::int32_t before,
                         std::int32_t after, CornersOf& corners_of) {
-    if (triangle.flags.size == ActiveTriangle::Size::small) {
+    if (triangle.flags.size() == ActiveTriangle::Size::small) {
       fixed_rows<small_triangle::fraction_bits>(triangle, surface, target, before, after);
       return;
     }
-    if (triangle.flags.size == ActiveTriangle::Size::medium) {
+    if (triangle.flags.size() == ActiveTriangle::Size::medium) {
       fixed_rows<medium_triangle::fraction_bits>(triangle, surface, target, before, after);
       return;
     }
     if (before > 0) large_rows(triangle, surface, target, before);
     if (after > 0) {
-      if (!triangle.flags.bent) {
+      if (!triangle.flags.bent()) {
         bend_large(corners_of(), triangle);
-        triangle.flags.bent = true;
+        triangle.flags.set_bent();
       }
       large_rows(triangle, surface, target, after);
     }
@@ -161,9 +161,9 @@ class TriangleRows {
       if (rows_after == 0) break;
       rows = rows_after;
       rows_after = 0;
-      if (triangle.flags.bent) continue;
-      triangle.flags.bent = true;
-      if (triangle.flags.right_bends) {
+      if (triangle.flags.bent()) continue;
+      triangle.flags.set_bent();
+      if (triangle.flags.right_bends()) {
         right = triangle.fixed.bend;
         triangle.fixed.right_step = triangle.fixed.bend_step;
       } else {
@@ -188,7 +188,7 @@ class TriangleRows {
     triangle.row = static_cast<std::uint16_t>(triangle.row + rows);
     for (; rows > 0; --rows) {
       std::int32_t first = left.x, end = right.x;
-      if (triangle.flags.clipped) {
+      if (triangle.flags.clipped()) {
         first = std::max<std::int32_t>(first, 0);
         end = std::min(end, target.width);
       }
