@@ -10,9 +10,7 @@ class Random {
   explicit Random(std::uint32_t seed) : engine_(seed) {}
 
   /// A whole number in [low, high].
-  [[nodiscard]] int between(int low, int high) {
-    return static_cast<int>(low + static_cast<std::int64_t>(engine_() % (static_cast<std::uint64_t>(high - low) + 1)));
-  }
+  [[nodiscard]] int between(int low, int high) { return static_cast<int>(wide(low, high)); }
   [[nodiscard]] std::int64_t wide(std::int64_t low, std::int64_t high) {
     return low + static_cast<std::int64_t>(engine_() % (static_cast<std::uint64_t>(high - low) + 1));
   }
