@@ -1,0 +1,109 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+
+#include "scenes/model_view.hpp"
+#include "spanline/frame/renderer.hpp"
+#include "spanline/hal/pixel_order.hpp"
+#include "spanline/hal/present.hpp"
+
+namespace spanline::apps {
+
+/// A model that turns on a display: each frame is drawn in bands, one of which is on its way to the panel while the
+/// next is drawn. Pixels lie in the panel's order from the start.
+///
+/// A bus that stops answering costs the frame under way; the next one initialises the panel anew. Everything lies in
+/// the caller's memory.
+template <hal::Panel PanelType, hal::Clock ClockType>
+class Turntable {
+ public:
+  using Format = std::conditional_t<PanelType::pixel_order == hal::PixelOrder::native, Rgb565, Rgb565Swapped>;
+  using Picture = Renderer<FullTraits<Format>>;
+
+  /// Frames of a whole turn.
+  static constexpr std::uint32_t frames_a_turn = 64;
+
+  /// How one frame went: what the display and the renderer had to say.
+  struct Result {
+    hal::Status display = hal::Status::ok;
+    Status drawing{};
+    [[nodiscard]] constexpr bool ok() const { return display == hal::Status::ok && drawing.ok(); }
+  };
+
+  /// What the picture of a mesh takes: `polygons` that face the eye at most, `active` of them across a band's edge.
+  [[nodiscard]] static constexpr Capacity capacity(const Mesh& mesh, std::uint16_t band_lines, std::uint32_t polygons,
+                                                   std::uint32_t active) {
+    const auto vertices = static_cast<std::uint32_t>(mesh.vertex_count());
+    return {.width = PanelType::width,
+            .height = PanelType::height,
+            .band_lines = band_lines,
+            .vertices = vertices,
+            .shades = vertices,
+            .polygons = polygons,
+            .active = active};
+  }
+
+  /// `memory` has Picture::bytes_needed(capacity) bytes, in RAM that the bus reaches. Mesh and memory must stay.
+  Turntable(PanelType& panel, ClockType& clock, const Mesh& mesh, const Capacity& capacity, std::span<std::byte> memory)
+      : mesh_(mesh),
+        renderer_(capacity, memory),
+        bands_(find_bands(renderer_)),
+        present_(panel, clock, bands_[0], bands_[1]) {}
+
+  /// Draws frame `number` of the turn and shows it.
+  Result show(std::uint32_t number) {
+    Result result;
+    result.display = present_.begin_frame();
+    if (result.display != hal::Status::ok) return result;
+    result.drawing = submit(number);
+    const Status drawn = renderer_.draw(Sink{present_});
+    result.display = present_.end_frame();
+    // A sink that fails has a display behind it that says why.
+    if (result.drawing.ok() && drawn.fault != Fault::sink_failed) result.drawing = drawn;
+    return result;
+  }
+
+  [[nodiscard]] const hal::PresentStatistics& statistics() const { return present_.statistics(); }
+
+ private:
+  using Present = hal::Present<PanelType, ClockType>;
+  using Bands = std::array<std::span<std::uint16_t>, 2>;
+
+  /// Hands finished bands to the present loop, whose buffers are the renderer's colour bands.
+  struct Sink {
+    Present& present;
+    bool acquire(unsigned buffer) { return present.acquire(static_cast<int>(buffer)) == hal::Status::ok; }
+    bool operator()(const typename Picture::BandView& band) {
+      return present.submit(band.y0, band.y1, static_cast<int>(band.buffer)) == hal::Status::ok;
+    }
+  };
+
+  /// Where the renderer keeps its two colour bands: an empty frame shows them.
+  static Bands find_bands(Picture& renderer) {
+    Bands bands;
+    const auto remember = [&bands](const typename Picture::BandView& band) {
+      std::span<std::uint16_t>& known = bands[band.buffer];
+      if (known.size() < band.pixels.size()) known = band.pixels;
+      return true;
+    };
+    if (renderer.begin({}).ok()) static_cast<void>(renderer.draw(remember));  // nothing in it can fail
+    return bands;
+  }
+
+  Status submit(std::uint32_t number) {
+    const Angle angle = Angle::from_turns(number % frames_a_turn, frames_a_turn);
+    const scenes::ModelView view = scenes::model_view(mesh_, angle, PanelType::height, ShadingMode::gouraud);
+    if (const Status begun = renderer_.begin(view.settings); !begun.ok()) return begun;
+    return renderer_.add(mesh_, view.transform, view.material);
+  }
+
+  const Mesh& mesh_;
+  Picture renderer_;
+  Bands bands_;
+  Present present_;
+};
+
+}  // namespace spanline::apps

@@ -1,0 +1,97 @@
+// What the firmware's self-test must print, drawn on this host: the lines of a board with so many bytes to spare, or of
+// all scenes. With a folder, also a PNG of each scene.
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+#include "host_run.hpp"
+#include "image/png.hpp"
+
+namespace {
+
+using namespace spanline;
+
+struct Options {
+  std::uint32_t memory = std::numeric_limits<std::uint32_t>::max();
+  std::string pictures;
+};
+
+/// The picture of one run, put together from its bands.
+class Collector {
+ public:
+  Collector(const scenes::SelftestScene& scene, const scenes::SelftestRun& run)
+      : swapped_(run.renderer == scenes::SelftestRenderer::swapped_16),
+        picture_(scene.capacity.width, scene.capacity.height) {}
+
+  template <class BandView>
+  void operator()(const BandView& band) {
+    auto pixel = picture_.pixels.begin() + std::ptrdiff_t{band.y0} * picture_.width;
+    for (const std::uint16_t stored : band.pixels) *pixel++ = rgb888(stored);
+  }
+  [[nodiscard]] const sim::Picture& picture() const { return picture_; }
+
+ private:
+  [[nodiscard]] Rgb888 rgb888(std::uint16_t stored) const {
+    const unsigned word = swapped_ ? (stored << 8 | stored >> 8) & 0xffffU : stored;
+    const auto widened = [](unsigned value, unsigned greatest) {
+      return static_cast<std::uint8_t>((value * 255 + greatest / 2) / greatest);
+    };
+    return {widened(word >> 11, 31), widened(word >> 5 & 63, 63), widened(word & 31, 31)};
+  }
+
+  bool swapped_;
+  sim::Picture picture_;
+};
+
+void write(const std::string& path, const sim::Picture& picture) {
+  const std::vector<std::byte> png = sim::encode_png(picture);
+  std::ofstream file(path, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
+  if (!file) throw std::runtime_error("cannot write " + path);
+}
+
+Options parse(int count, char** arguments) {
+  Options options;
+  for (int i = 1; i < count; i += 2) {
+    const std::string_view name = arguments[i];
+    if (i + 1 == count) throw std::runtime_error(std::string(name) + " wants a value");
+    if (name == "--memory")
+      options.memory = static_cast<std::uint32_t>(std::stoul(arguments[i + 1]));
+    else if (name == "--pictures")
+      options.pictures = arguments[i + 1];
+    else
+      throw std::runtime_error("usage: selftest_host [--memory BYTES] [--pictures FOLDER]");
+  }
+  return options;
+}
+
+void run(const Options& options) {
+  if (!options.pictures.empty()) std::filesystem::create_directories(options.pictures);
+  scenes::for_each_selftest_run(options.memory,
+                                [&](const scenes::SelftestScene& scene, const scenes::SelftestRun& run) {
+                                  Collector collector(scene, run);
+                                  const scenes::SelftestResult result = test::draw_on_host(scene, run, collector);
+                                  std::printf("selftest %s %s %s %u %08x %08x\n", scene.name, visibility_of(scene, run),
+                                              to_string(run.renderer), unsigned{run.band}, result.crc, result.depth);
+                                  if (!as_expected(scene, result.status))
+                                    throw std::runtime_error(std::string(scene.name) + ": a pool is wrong");
+                                  if (!options.pictures.empty() && &run == scene.runs.data())
+                                    write(options.pictures + "/" + scene.name + ".png", collector.picture());
+                                });
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  try {
+    run(parse(count, arguments));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "selftest_host: %s\n", error.what());
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,90 @@
+// What must hold of the self-test's scenes on any machine, looked at on this one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "host_run.hpp"
+#include "spanline/model/validate.hpp"
+
+namespace spanline {
+namespace {
+
+using scenes::SelftestRenderer;
+using scenes::SelftestRun;
+using scenes::SelftestScene;
+
+constexpr std::uint32_t all_memory = std::numeric_limits<std::uint32_t>::max();
+
+bool has_24_bits(SelftestRenderer renderer) {
+  return renderer == SelftestRenderer::full_24 || renderer == SelftestRenderer::full_24_larger;
+}
+bool larger_is_nearer(SelftestRenderer renderer) {
+  return renderer == SelftestRenderer::flat_16_larger || renderer == SelftestRenderer::full_24_larger;
+}
+
+TEST(SelftestScenes, MeshesAreValid) {
+  for (const Mesh* mesh : {&scenes::torus, &scenes::coloured_torus, &scenes::prisms, &scenes::terrain,
+                           &test::selftest_models.bunny, &test::selftest_models.teapot}) {
+    const MeshReport report = validate(*mesh);
+    EXPECT_TRUE(report.ok()) << to_string(report.fault) << " at " << report.at;
+  }
+}
+
+TEST(SelftestScenes, NamesAreDistinct) {
+  std::set<std::string> names;
+  for (const SelftestScene& scene : scenes::selftest_scenes) EXPECT_TRUE(names.insert(scene.name).second) << scene.name;
+}
+
+/// Band heights and senses of depth change no pixel; 16 and 24 bits are two pictures. Swapped pixels have CRCs of their
+/// own, and a pool of active polygons runs full where the bands' edges lie.
+TEST(SelftestScenes, EveryRunOfASceneDrawsTheSamePicture) {
+  scenes::for_each_selftest_run(all_memory, [](const SelftestScene& scene, const SelftestRun& run) {
+    static std::map<std::pair<std::string, bool>, std::uint32_t> pictures;
+    const scenes::SelftestResult result = test::draw_on_host(scene, run, [](const auto&) {});
+    EXPECT_TRUE(as_expected(scene, result.status))
+        << scene.name << ": " << to_string(result.status.fault) << ", " << to_string(result.status.pool) << ", wanted "
+        << result.status.wanted;
+    if (run.renderer == SelftestRenderer::swapped_16 || scene.starved == Pool::active) return;
+    const auto [first, is_new] = pictures.try_emplace({scene.name, has_24_bits(run.renderer)}, result.crc);
+    EXPECT_EQ(first->second, result.crc) << scene.name << ", depth " << to_string(run.renderer) << ", band "
+                                         << run.band;
+  });
+}
+
+/// The share of a picture that is covered, in percent.
+int covered_percent(const SelftestScene& scene, const SelftestRun& run) {
+  std::size_t covered = 0, all = 0;
+  (void)test::draw_on_host(scene, run, [&](const auto& band) {
+    const bool larger = larger_is_nearer(run.renderer);
+    for (const auto depth : band.depth) {
+      const auto empty = larger ? 0U : std::numeric_limits<std::remove_const_t<decltype(depth)>>::max();
+      if (depth != empty) ++covered;
+    }
+    all += band.depth.size();
+  });
+  return static_cast<int>(100 * covered / all);
+}
+
+TEST(SelftestScenes, NoPictureIsEmpty) {
+  for (const SelftestScene& scene : scenes::selftest_scenes)
+    EXPECT_GE(covered_percent(scene, scene.runs.front()), 2) << scene.name;
+}
+
+/// On a board with 16 KB of RAM, of which picture_memory.hpp leaves 13,056 bytes.
+TEST(SelftestScenes, SmallestBoardDrawsAtLeast200PolygonsInBands) {
+  std::uint32_t most = 0;
+  scenes::for_each_selftest_run(13'056, [&](const SelftestScene& scene, const SelftestRun& run) {
+    const bool meant = scene.starved == Pool::none && scene.soup_triangles == 0 && run.band < scene.capacity.height;
+    if (!meant || scene.capacity.width != 128 || scene.capacity.height != 128) return;
+    most = std::max(most, test::draw_on_host(scene, run, [](const auto&) {}).drawn);
+  });
+  EXPECT_GE(most, 200U);
+}
+
+}  // namespace
+}  // namespace spanline

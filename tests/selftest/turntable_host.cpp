@@ -1,0 +1,86 @@
+// What the turntable's display must show: frame NUMBER drawn on this host as one band, through the panel's driver into
+// the panel's model, as a PNG.
+#include <bunny.hpp>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "apps/turntable.hpp"
+#include "image/png.hpp"
+#include "panels/panel_registry.hpp"
+
+namespace {
+
+using namespace spanline;
+
+/// The frame's pixels as RGB565 in native order, without the app's loop, bands and pools.
+std::vector<std::uint16_t> draw(std::uint32_t number, int width, int height) {
+  const Mesh& mesh = spanline_models::bunny;
+  const Angle angle = Angle::from_turns(number, 64);
+  const scenes::ModelView view = scenes::model_view(mesh, angle, height, ShadingMode::gouraud);
+  const auto vertices = static_cast<std::uint32_t>(mesh.vertex_count());
+  const Capacity capacity{.width = static_cast<std::uint16_t>(width),
+                          .height = static_cast<std::uint16_t>(height),
+                          .band_lines = static_cast<std::uint16_t>(height),
+                          .colour_bands = 1,
+                          .vertices = vertices,
+                          .shades = vertices,
+                          .polygons = static_cast<std::uint32_t>(mesh.triangle_count())};
+  using Picture = Renderer<FullTraits<Rgb565>>;
+  std::vector<std::byte> memory(Picture::bytes_needed(capacity));
+  Picture renderer(capacity, memory);
+  std::vector<std::uint16_t> pixels;
+  const bool good = renderer.begin(view.settings).ok() && renderer.add(mesh, view.transform, view.material).ok() &&
+                    renderer
+                        .draw([&](const auto& band) {
+                          pixels.assign(band.pixels.begin(), band.pixels.end());
+                          return true;
+                        })
+                        .ok();
+  if (!good) throw std::runtime_error("the renderer refuses the scene");
+  return pixels;
+}
+
+sim::PanelPicture show(const std::string& panel, std::uint32_t number) {
+  const auto session = sim::open_panel(panel);
+  if (session == nullptr) throw std::runtime_error("no panel " + panel);
+  const sim::PanelInfo& info = session->info();
+  const std::vector<std::uint16_t> pixels = draw(number, info.width, info.height);
+  const hal::Status status = session->show(info.height, [&](int, int, std::span<std::uint16_t> band) {
+    std::copy(pixels.begin(), pixels.end(), band.begin());
+  });
+  if (status != hal::Status::ok) throw std::runtime_error(panel + ": " + to_string(status));
+  if (!session->complaints().empty()) throw std::runtime_error(panel + ": " + describe(session->complaints().front()));
+  return session->picture();
+}
+
+void write(const std::string& path, const sim::PanelPicture& seen) {
+  sim::Picture picture(seen.width, seen.height);
+  for (int y = 0; y < seen.height; ++y) {
+    for (int x = 0; x < seen.width; ++x) {
+      const std::uint8_t* rgb = seen.at(x, y);
+      picture.at(x, y) = {rgb[0], rgb[1], rgb[2]};
+    }
+  }
+  const std::vector<std::byte> png = sim::encode_png(picture);
+  std::ofstream file(path, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
+  if (!file) throw std::runtime_error("cannot write " + path);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  try {
+    if (count != 4) throw std::runtime_error("usage: turntable_host PANEL NUMBER OUT.png");
+    write(arguments[3], show(arguments[1], static_cast<std::uint32_t>(std::stoul(arguments[2]))));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "turntable_host: %s\n", error.what());
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}
