@@ -15,6 +15,7 @@ namespace spanline {
 template <class Format>
 struct FlatShader {
   using Pixel = typename Format::Pixel;
+  static constexpr bool interpolates = false;
 
   struct Source {
     static constexpr bool constant = true;
@@ -41,9 +42,7 @@ struct FlatShader {
     return Format::lit(colour, intensity);
   }
 
-  /// `gradients` fits linear functions through values at a, b, c on the triangle's first row; flat shading needs none.
-  template <class Gradients>
-  static void make(Surface& surface, const ShadingGroup& group, const PolygonCorners& polygon, const Gradients&) {
+  static void make(Surface& surface, const ShadingGroup& group, const PolygonCorners& polygon) {
     surface.pixel = colour_of(group, polygon);
   }
 };

@@ -44,6 +44,7 @@ void fill_ramp(LitColour colour, std::uint16_t* ramp) {
 template <class Format>
 struct GouraudShader {
   using Pixel = typename Format::Pixel;
+  static constexpr bool interpolates = true;
 
   struct Source {
     static constexpr bool constant = false;
@@ -75,6 +76,7 @@ struct GouraudShader {
 template <class Format>
 struct GouraudColourShader {
   using Pixel = typename Format::Pixel;
+  static constexpr bool interpolates = true;
 
   struct Source {
     static constexpr bool constant = false;

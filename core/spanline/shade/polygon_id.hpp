@@ -10,8 +10,9 @@ struct IdShader {
   using Source = FlatShader<PolygonIds>::Source;
   using Surface = FlatShader<PolygonIds>::Surface;
 
-  template <class Gradients>
-  static void make(Surface& surface, const ShadingGroup& group, const PolygonCorners& polygon, const Gradients&) {
+  static constexpr bool interpolates = false;
+
+  static void make(Surface& surface, const ShadingGroup& group, const PolygonCorners& polygon) {
     surface.pixel = 1 + group.first_id + polygon.triangle;
   }
 };

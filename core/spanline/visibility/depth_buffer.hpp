@@ -47,7 +47,15 @@ class DepthBuffer {
   template <class ShadingGroup, class Covered>
   void draw_band(const PolygonTable& table, std::span<const ShadingGroup> shading, std::int32_t band, Viewport viewport,
                  const Target& target, Covered&& covered) {
-    Job<ShadingGroup> job{table, shading.data(), shading.data(), table.groups.data(), viewport, target, {}, {}};
+    Job<ShadingGroup> job{.table = table,
+                          .shading = shading.data(),
+                          .group = table.groups.data(),
+                          .viewport = viewport,
+                          .target = target,
+                          .group_end = 0,
+                          .corners = {},
+                          .triangle = {}};
+    job.find_group_end();
     BucketCursor starting(table, band);
     Link* link = &active_;
     for (;;) {
@@ -76,21 +84,25 @@ class DepthBuffer {
   template <class ShadingGroup>
   struct Job {
     const PolygonTable& table;
-    const ShadingGroup* all_shading;
     const ShadingGroup* shading;
     const PolygonGroup* group;
     Viewport viewport;
     const Target& target;
+    Link group_end;  ///< number of the first polygon behind the group
     PolygonCorners corners;
     ActiveTriangle triangle;
 
     /// Polygons come in order of submission, so groups do as well.
     void find_group(Link polygon) {
-      const PolygonGroup* const last = table.groups.data() + table.group_count - 1;
-      while (group != last && group[1].first <= polygon) {
+      while (polygon >= group_end) {
         ++group;
         ++shading;
+        find_group_end();
       }
+    }
+    void find_group_end() {
+      const bool is_last = group == table.groups.data() + table.group_count - 1;
+      group_end = is_last ? no_link : group[1].first;
     }
   };
 
@@ -99,7 +111,13 @@ class DepthBuffer {
     job.corners = job.table.corners(*job.group, polygon);
     Shaders::with(job.shading->shader, [&]<class Shader>() {
       typename Shader::Surface surface;
-      if (!activate<Shader>(job.corners.corner[0], job.corners.corner[1], job, surface)) return;
+      const auto [a, b, c] = job.corners.corner;
+      if constexpr (Shader::interpolates) {
+        if (!activate<Shader>(a, b, c, job, surface)) return;
+      } else {
+        if (!activate_plain(a, b, c, job)) return;
+        Shader::make(surface, *job.shading, job.corners);
+      }
       if constexpr (Counting) {
         if (covers_pixels(job.triangle, job.corners, job.viewport))
           covered(job.shading->first_id + job.corners.triangle);
@@ -109,13 +127,19 @@ class DepthBuffer {
     });
   }
 
-  /// Edges, plane and surface of a polygon. A function of its own: set-up wants every register.
+  /// Edges and plane of a polygon, and its surface where that interpolates. Functions of their own: set-up wants every
+  /// register.
   template <class Shader, class ShadingGroup>
-  [[gnu::noinline]] static bool activate(const ScreenVertex* a, const ScreenVertex* b, Job<ShadingGroup>& job,
-                                         typename Shader::Surface& surface) {
-    return set_up<Depth>(
-        a, b, job.corners.corner[2], *job.group, job.viewport, job.triangle,
-        [&](const AttributeGradients& gradients) { Shader::make(surface, *job.shading, job.corners, gradients); });
+  [[gnu::noinline]] static bool activate(const ScreenVertex* a, const ScreenVertex* b, const ScreenVertex* c,
+                                         Job<ShadingGroup>& job, typename Shader::Surface& surface) {
+    return set_up<Depth>(a, b, c, *job.group, job.viewport, job.triangle, [&](const AttributeGradients& gradients) {
+      Shader::make(surface, *job.shading, job.corners, gradients);
+    });
+  }
+  template <class ShadingGroup>
+  [[gnu::noinline]] static bool activate_plain(const ScreenVertex* a, const ScreenVertex* b, const ScreenVertex* c,
+                                               Job<ShadingGroup>& job) {
+    return set_up<Depth>(a, b, c, *job.group, job.viewport, job.triangle, [](const AttributeGradients&) {});
   }
 
   /// Draws the active polygon at *link, and moves on to the next one; takes it out of the list where it ends.
