@@ -63,7 +63,7 @@ class Gradients {
     // over.
     const std::int32_t dx = scaled((d1 * t.dy2 - d2 * t.dy1) * 32);
     const std::int32_t dy = scaled((t.dx1 * d2 - t.dx2 * d1) * 32);
-    if ((magnitude(dx) + magnitude(dy)) >> ((Wanted == Precision::depth ? 26 : 30) - shift_) != 0) return false;
+    if ((magnitude(dx) + magnitude(dy)) >> ((Wanted == Precision::depth ? 26 : 31) - shift_) != 0) return false;
     function.dx = word(dx) << shift_;
     function.dy = word(dy) << shift_;
     const std::int32_t to_centre_x = 8 - (t.ax & 15);
