@@ -16,6 +16,16 @@ auto signed_area(const ScreenVertex& a, const ScreenVertex& b, const ScreenVerte
   return dx1 * dy2 - dx2 * dy1;
 }
 
+/// By value: the library's take references, which sends the operands through memory.
+inline std::int32_t least(std::int32_t a, std::int32_t b, std::int32_t c) {
+  const std::int32_t d = a < b ? a : b;
+  return d < c ? d : c;
+}
+inline std::int32_t greatest(std::int32_t a, std::int32_t b, std::int32_t c) {
+  const std::int32_t d = a > b ? a : b;
+  return d > c ? d : c;
+}
+
 }  // namespace
 
 inline void PolygonAssembly::append(std::int32_t band, Link source) {
@@ -55,8 +65,8 @@ inline bool PolygonAssembly::take(const ScreenVertex& a, const ScreenVertex& b, 
     return false;
   }
   const std::int32_t ay = a.y, by = b.y, cy = c.y;
-  std::int32_t first = row_at(std::min(ay, std::min(by, cy))) - row_bias;
-  std::int32_t end = row_at(std::max(ay, std::max(by, cy))) - row_bias;
+  std::int32_t first = row_at(least(ay, by, cy)) - row_bias;
+  std::int32_t end = row_at(greatest(ay, by, cy)) - row_bias;
   if constexpr (Scissored) {
     first = std::max<std::int32_t>(first, 0);
     end = std::min(end, viewport_.height);

@@ -46,8 +46,8 @@ bool Gradients::fast_slope(std::int64_t numerator, int guard_bits, std::int32_t&
   const auto normalised = static_cast<std::uint32_t>((absolute << zeros) >> 32);
   // normalised · inverse / 2^32 = |n|/area · 2^(zeros − 32 + 30 − normalising shift); wanted: · 2^(4 + guard + extra)
   const int shift = zeros - 2 - normalising_shift_ - (4 + guard_bits + extra_bits_for(guard_bits));
-  // |slope| < 2^(31 − shift), good to 2^-28 of itself: with 16 guard bits any slope that fits is good enough; with 8, and the
-  // few bits below them, 2^23 guard units a pixel are the limit.
+  // |slope| < 2^(31 − shift), good to 2^-28 of itself: with 16 guard bits any slope that fits is good enough; with 8,
+  // and the few bits below them, 2^23 guard units a pixel are the limit.
   if (shift < (guard_bits >= 16 ? 0 : 2)) return false;
   if (shift > 31) {
     slope = 0;

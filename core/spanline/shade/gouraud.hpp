@@ -64,7 +64,7 @@ struct GouraudShader {
   };
 
   template <class Gradients>
-  static void make(Surface& surface, const ShadingGroup& group, const PolygonCorners&, const Gradients& gradients) {
+  static void make(Surface& surface, const ShadingGroup& group, const Gradients& gradients) {
     surface.ramp = group.ramp;
     gradients.fit(
         [&](const ScreenVertex* v) { return static_cast<std::int32_t>(group.vertex_shades[gradients.index(v)]); },
@@ -112,7 +112,7 @@ struct GouraudColourShader {
   };
 
   template <class Gradients>
-  static void make(Surface& surface, const ShadingGroup& group, const PolygonCorners&, const Gradients& gradients) {
+  static void make(Surface& surface, const ShadingGroup& group, const Gradients& gradients) {
     const auto shade = [&](const ScreenVertex* v) { return group.vertex_shades[gradients.index(v)]; };
     gradients.fit([&](const ScreenVertex* v) { return vertex_shade::red_16(shade(v)); }, surface.red);
     gradients.fit([&](const ScreenVertex* v) { return vertex_shade::green_16(shade(v)); }, surface.green);

@@ -53,7 +53,6 @@ class DepthBuffer {
                           .viewport = viewport,
                           .target = target,
                           .group_end = 0,
-                          .corners = {},
                           .triangle = {}};
     job.find_group_end();
     BucketCursor starting(table, band);
@@ -89,7 +88,6 @@ class DepthBuffer {
     Viewport viewport;
     const Target& target;
     Link group_end;  ///< number of the first polygon behind the group
-    PolygonCorners corners;
     ActiveTriangle triangle;
 
     /// Polygons come in order of submission, so groups do as well.
@@ -108,21 +106,20 @@ class DepthBuffer {
 
   template <class ShadingGroup, class Covered>
   void begin(Job<ShadingGroup>& job, Link polygon, Link*& link, Covered& covered) {
-    job.corners = job.table.corners(*job.group, polygon);
+    const PolygonCorners corners = job.table.corners(*job.group, polygon);
     Shaders::with(job.shading->shader, [&]<class Shader>() {
       typename Shader::Surface surface;
-      const auto [a, b, c] = job.corners.corner;
+      const auto [a, b, c] = corners.corner;
       if constexpr (Shader::interpolates) {
         if (!activate<Shader>(a, b, c, job, surface)) return;
       } else {
         if (!activate_plain(a, b, c, job)) return;
-        Shader::make(surface, *job.shading, job.corners);
+        Shader::make(surface, *job.shading, corners);
       }
       if constexpr (Counting) {
-        if (covers_pixels(job.triangle, job.corners, job.viewport))
-          covered(job.shading->first_id + job.corners.triangle);
+        if (covers_pixels(job.triangle, corners, job.viewport)) covered(job.shading->first_id + corners.triangle);
       }
-      if (Rows::draw(job.triangle, surface, job.target, [&] { return job.corners; }))
+      if (Rows::draw(job.triangle, surface, job.target, [&] { return job.table.corners(*job.group, polygon); }))
         keep(job.triangle, surface, polygon, link);
     });
   }
@@ -132,9 +129,8 @@ class DepthBuffer {
   template <class Shader, class ShadingGroup>
   [[gnu::noinline]] static bool activate(const ScreenVertex* a, const ScreenVertex* b, const ScreenVertex* c,
                                          Job<ShadingGroup>& job, typename Shader::Surface& surface) {
-    return set_up<Depth>(a, b, c, *job.group, job.viewport, job.triangle, [&](const AttributeGradients& gradients) {
-      Shader::make(surface, *job.shading, job.corners, gradients);
-    });
+    return set_up<Depth>(a, b, c, *job.group, job.viewport, job.triangle,
+                         [&](const AttributeGradients& gradients) { Shader::make(surface, *job.shading, gradients); });
   }
   template <class ShadingGroup>
   [[gnu::noinline]] static bool activate_plain(const ScreenVertex* a, const ScreenVertex* b, const ScreenVertex* c,
