@@ -212,7 +212,9 @@ TEST(Lecture001, TheThirteenColumnTablesFollowFromTheirFragments) {
   EXPECT_EQ(table_of(picture, depths), both);
   for (int y = 0; y < 13; ++y)
     for (int x = 0; x < 13; ++x)
-      if (picture.drawn(x, y)) EXPECT_EQ(picture.pixels[picture.at(x, y)], differs(x, y) ? 2 : 1);
+      if (picture.drawn(x, y)) {
+        EXPECT_EQ(picture.pixels[picture.at(x, y)], differs(x, y) ? 2 : 1);
+      }
   // The other way round nothing changes but the owner of equal depths: there are none.
   std::stable_sort(fragments.begin(), fragments.end(),
                    [](const Fragment& a, const Fragment& b) { return a.colour > b.colour; });

@@ -34,7 +34,8 @@ TEST_P(Coverage, NotOnePixelDiffersFromExactEdgeFunctions) {
   Studio<Traits> studio(screen_capacity(width, height, 1));
   TriangleMaker make(1 + static_cast<std::uint32_t>(GetParam()), width, height, 0, 65534);
   std::size_t pixels = 0;
-  for (int i = 0; i < rounds(3000); ++i) {
+  const bool small = GetParam() <= TriangleKind::pixel;
+  for (int i = 0; i < rounds(small ? 20000 : 3000); ++i) {
     const Corners corners = make(GetParam());
     const auto picture = studio.draw_screen({&corners, 1});
     ASSERT_TRUE(studio.status().ok());
@@ -54,7 +55,8 @@ TEST_P(Coverage, BothOrientationsCoverTheSame) {
     const auto one = studio.draw_screen({&corners, 1});
     std::swap(corners[0], corners[1]);
     const auto other = studio.draw_screen({&corners, 1});
-    ASSERT_TRUE(one.depth == other.depth) << corners;
+    for (std::size_t p = 0; p < one.depth.size(); ++p)
+      ASSERT_EQ(one.depth[p] == Depth16<>::clear, other.depth[p] == Depth16<>::clear) << corners;
   }
 }
 

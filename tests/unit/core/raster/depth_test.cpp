@@ -45,11 +45,12 @@ double worst_error(TriangleKind kind, int width, int height, int wanted) {
 
 template <class Depth>
 void check_kinds(int width, int height, int small_rounds, int large_rounds) {
+  double worst = 0;
   for (const TriangleKind kind : all_triangle_kinds) {
     const bool small = kind <= TriangleKind::medium || kind == TriangleKind::right_angled;
-    const double worst = worst_error<Depth>(kind, width, height, small ? small_rounds : large_rounds);
-    std::printf("%d bits, %dx%d, %s: %.4f units at most\n", Depth::bits, width, height, name_of(kind), worst);
+    worst = std::max(worst, worst_error<Depth>(kind, width, height, small ? small_rounds : large_rounds));
   }
+  std::printf("%d bits, %dx%d: %.4f units at most\n", Depth::bits, width, height, worst);
 }
 
 TYPED_TEST(DepthOf, EveryPixelIsWithinItsBoundAt320x240) { check_kinds<TypeParam>(320, 240, 1500, 60); }
