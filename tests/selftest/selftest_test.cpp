@@ -75,6 +75,20 @@ TEST(SelftestScenes, NoPictureIsEmpty) {
     EXPECT_GE(covered_percent(scene, scene.runs.front()), 2) << scene.name;
 }
 
+/// In these scenes ambient light alone gives red at least 2 of 31; less on a covered pixel is a shade that wrapped.
+TEST(SelftestScenes, NoSmoothSurfaceIsDarkerThanAmbientLight) {
+  const std::set<std::string> smooth{"bunny-gouraud", "teapot-gouraud", "lights", "lights-smooth-small"};
+  scenes::for_each_selftest_run(all_memory, [&](const SelftestScene& scene, const SelftestRun& run) {
+    if (!smooth.contains(scene.name) || run.renderer != SelftestRenderer::full_16) return;
+    int wrapped = 0;
+    (void)test::draw_on_host(scene, run, [&](const auto& band) {
+      for (std::size_t i = 0; i < band.pixels.size(); ++i)
+        wrapped += band.depth[i] != FullTraits<>::Depth::clear && band.pixels[i] >> 11 < 2 ? 1 : 0;
+    });
+    EXPECT_EQ(wrapped, 0) << scene.name << ", band " << run.band;
+  });
+}
+
 /// On a board with 16 KB of RAM, of which picture_memory.hpp leaves 13,056 bytes.
 TEST(SelftestScenes, SmallestBoardDrawsAtLeast200PolygonsInBands) {
   std::uint32_t most = 0;
