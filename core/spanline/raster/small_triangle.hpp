@@ -63,12 +63,17 @@ class Gradients {
     // over.
     const std::int32_t dx = scaled((d1 * t.dy2 - d2 * t.dy1) * 32);
     const std::int32_t dy = scaled((t.dx1 * d2 - t.dx2 * d1) * 32);
-    if ((magnitude(dx) + magnitude(dy)) >> ((Wanted == Precision::depth ? 26 : 31) - shift_) != 0) return false;
+    if ((magnitude(dx) + magnitude(dy)) >> ((Wanted == Precision::depth ? 26 : 30) - shift_) != 0) return false;
     function.dx = word(dx) << shift_;
     function.dy = word(dy) << shift_;
     const std::int32_t to_centre_x = 8 - (t.ax & 15);
-    function.at_origin = (word(value_a) << 16) + 0x8000u - function.dx * margin +
-                         word(signed_word(function.dx * word(to_centre_x) + function.dy * word(row_offset)) >> 4);
+    // From the vertex to the centre of its pixel. Slopes of shades are too steep for the exact product; they can spare
+    // its last bits.
+    const std::int32_t way =
+        Wanted == Precision::depth
+            ? signed_word(function.dx * word(to_centre_x) + function.dy * word(row_offset)) >> 4
+            : (signed_word(function.dx) >> 4) * to_centre_x + (signed_word(function.dy) >> 4) * row_offset;
+    function.at_origin = (word(value_a) << 16) + 0x8000u - function.dx * margin + word(way);
     return true;
   }
 

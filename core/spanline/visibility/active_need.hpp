@@ -7,21 +7,27 @@
 
 namespace spanline {
 
-/// The number of entries that a pool of active polygons would need: the greatest number of polygons that reach across
-/// one band's lower edge. Linear in polygons × bands, and asked only after a pool has run full.
+/// The number of entries that a pool of active polygons would need, exactly: bands are gone through in order of
+/// submission as drawing does, where a polygon that goes on below takes an entry before later ones that end give theirs
+/// back. Linear in polygons × bands, and asked only after a pool has run full.
 [[nodiscard]] inline std::uint32_t active_polygons_needed(const PolygonTable& table, Viewport viewport,
                                                           std::int32_t band_lines) {
   std::uint32_t greatest = 0;
-  for (std::int32_t edge = band_lines; edge < viewport.height; edge += band_lines) {
-    std::uint32_t crossing = 0;
+  std::uint32_t live = 0;  // polygons that reach across the upper edge of the band
+  for (std::int32_t top = 0; top < viewport.height; top += band_lines) {
+    const std::int32_t bottom = std::min(top + band_lines, viewport.height);
     Link group = 0;
     for (Link polygon = 0; polygon < table.polygon_count; ++polygon) {
       group = table.group_of(polygon, group);
       const PolygonCorners p = table.corners(table.groups[group], polygon);
-      const auto [top, bottom] = std::minmax({p.corner[0]->y, p.corner[1]->y, p.corner[2]->y});
-      if (row_at(top) - row_bias < edge && row_at(bottom) - row_bias > edge) ++crossing;
+      const auto [low, high] = std::minmax({p.corner[0]->y, p.corner[1]->y, p.corner[2]->y});
+      const std::int32_t first = std::max<std::int32_t>(row_at(low) - row_bias, 0);
+      const std::int32_t end = std::min(row_at(high) - row_bias, viewport.height);
+      const bool comes_in = first < top && end > top;
+      const bool goes_on = end > bottom;
+      if (first >= top && first < bottom && goes_on) greatest = std::max(greatest, ++live);
+      if (comes_in && !goes_on) --live;
     }
-    greatest = std::max(greatest, crossing);
   }
   return greatest;
 }
