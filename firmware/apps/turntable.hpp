@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -50,8 +49,7 @@ class Turntable {
   Turntable(PanelType& panel, ClockType& clock, const Mesh& mesh, const Capacity& capacity, std::span<std::byte> memory)
       : mesh_(mesh),
         renderer_(capacity, memory),
-        bands_(find_bands(renderer_)),
-        present_(panel, clock, bands_[0], bands_[1]) {}
+        present_(panel, clock, renderer_.colour_band(0), renderer_.colour_band(1)) {}
 
   /// Draws frame `number` of the turn and shows it.
   Result show(std::uint32_t number) {
@@ -70,7 +68,6 @@ class Turntable {
 
  private:
   using Present = hal::Present<PanelType, ClockType>;
-  using Bands = std::array<std::span<std::uint16_t>, 2>;
 
   /// Hands finished bands to the present loop, whose buffers are the renderer's colour bands.
   struct Sink {
@@ -81,18 +78,6 @@ class Turntable {
     }
   };
 
-  /// Where the renderer keeps its two colour bands: an empty frame shows them.
-  static Bands find_bands(Picture& renderer) {
-    Bands bands;
-    const auto remember = [&bands](const typename Picture::BandView& band) {
-      std::span<std::uint16_t>& known = bands[band.buffer];
-      if (known.size() < band.pixels.size()) known = band.pixels;
-      return true;
-    };
-    if (renderer.begin({}).ok()) static_cast<void>(renderer.draw(remember));  // nothing in it can fail
-    return bands;
-  }
-
   Status submit(std::uint32_t number) {
     const Angle angle = Angle::from_turns(number % frames_a_turn, frames_a_turn);
     const scenes::ModelView view = scenes::model_view(mesh_, angle, PanelType::height, ShadingMode::gouraud);
@@ -102,7 +87,6 @@ class Turntable {
 
   const Mesh& mesh_;
   Picture renderer_;
-  Bands bands_;
   Present present_;
 };
 
