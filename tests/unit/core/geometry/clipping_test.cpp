@@ -225,7 +225,7 @@ TEST(Clipping, CornersAtTheEdgeOfTheGuardBandLeaveNoGap) {
 
 TEST(Clipping, NothingCrashesAtAnyPlacementAndRangesOfAnyKind) {
   Random random(4);
-  for (int i = 0; i < rounds(4000); ++i) {
+  for (int i = 0; i < rounds(2000); ++i) {
     const RandomInstance r(random, {.wide = random.chance(2),
                                     .orthographic = random.chance(3),
                                     .closest = 0.01,

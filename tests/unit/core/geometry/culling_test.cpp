@@ -65,7 +65,7 @@ std::size_t real_differences(const Picture<Ids>& a, const Picture<Ids>& b) {
 TEST(FrustumCulling, AnInstanceThatIsLeftOutShowsNothingWithAnySphere) {
   Random random(1);
   int left_out = 0;
-  for (int i = 0; i < rounds(6000); ++i) {
+  for (int i = 0; i < rounds(2400); ++i) {
     RandomInstance r(random, anywhere(random));
     if (draw(r.view, {r.mesh}, r.transform, Cull::none).statistics.polygons.outside != r.mesh.triangle_count())
       continue;
@@ -76,13 +76,13 @@ TEST(FrustumCulling, AnInstanceThatIsLeftOutShowsNothingWithAnySphere) {
     const auto whole = draw(r.view, {large.view()}, r.transform, Cull::none);
     ASSERT_EQ(whole.picture.drawn_count(), 0U) << "round " << i;
   }
-  EXPECT_GT(left_out, rounds(6000) / 10);
-  std::printf("%d of %d instances were left out\n", left_out, rounds(6000));
+  EXPECT_GT(left_out, rounds(2400) / 10);
+  std::printf("%d of %d instances were left out\n", left_out, rounds(2400));
 }
 
 TEST(FrustumCulling, PicturesAreThoseOfTheMeshSplitIntoSingleTriangles) {
   Random random(2);
-  for (int i = 0; i < rounds(1500); ++i) {
+  for (int i = 0; i < rounds(500); ++i) {
     const RandomInstance r(random, anywhere(random));
     std::vector<OwnedMesh> parts;
     for (std::size_t k = 0; k < r.mesh.indices.size(); k += 3) {
@@ -125,7 +125,7 @@ TEST(FrustumCulling, WhatIsFarOutsideIsLeftOut) {
 
 TEST(FaceCulling, FrontAndBackShareOutWhatIsInside) {
   Random random(3);
-  for (int i = 0; i < rounds(1500); ++i) {
+  for (int i = 0; i < rounds(500); ++i) {
     const RandomInstance r(random, anywhere(random));
     const auto both = draw(r.view, {r.mesh}, r.transform, Cull::none);
     const auto front = draw(r.view, {r.mesh}, r.transform, Cull::back);
