@@ -100,7 +100,6 @@ TEST_P(Starved, TheStatusNamesThePoolAndSizesThatLeadToTheWholePicture) {
 }
 
 TEST_P(Starved, TheSizeThatTheLastStatusNamesIsTheLeast) {
-  if (GetParam() == Pool::active) GTEST_SKIP() << "the named size may be more than the least: see ActivePool";
   const Scene scene;
   Capacity capacity = ample();
   size_of(capacity, GetParam()) = 1;
