@@ -17,7 +17,9 @@ struct Capacity {
   std::uint32_t fans = 0;    ///< of these, the pieces of clipped triangles and of polygons with more than three corners
   std::uint32_t active = 0;  ///< polygons that reach across a band's lower edge; none with a single band
 
-  [[nodiscard]] constexpr std::uint32_t bands() const { return (height + band_lines - 1u) / band_lines; }
+  [[nodiscard]] constexpr std::uint32_t bands() const {
+    return band_lines == 0 ? 0 : (height + band_lines - 1u) / band_lines;
+  }
   [[nodiscard]] constexpr bool valid() const {
     return width >= 1 && width <= 2047 && height >= 1 && height <= 2047 && band_lines >= 1 && band_lines <= height &&
            (colour_bands == 1 || colour_bands == 2);

@@ -109,8 +109,8 @@ class Renderer {
     return {};
   }
 
-  /// Adds an instance of a validated mesh; the Mesh object itself must stay until `draw` has returned. Where a pool is full what fits is kept, and the status names the pool and
-  /// the size that the frame has wanted so far.
+  /// Adds an instance of a validated mesh; the Mesh object itself must stay until `draw` has returned. Where a pool is
+  /// full what fits is kept, and the status names the pool and the size that the frame has wanted so far.
   Status add(const Mesh& mesh, const Transform& transform, const Material& material) {
     if (!ready_) return status_.ok() ? Status{Fault::bad_settings, Pool::none, 0} : status_;
     const std::uint8_t shader = shader_for<Traits>(material.shading, !mesh.vertex_colours.empty());
@@ -210,7 +210,8 @@ class Renderer {
     return {Fault::pool_full, Pool::active, active_polygons_needed(table_, viewport(), capacity_.band_lines)};
   }
 
-  /// The memory of colour band 0 or 1, for present loops that hand it to a display; empty where the band does not exist.
+  /// The memory of colour band 0 or 1, for present loops that hand it to a display; empty where the band does not
+  /// exist.
   [[nodiscard]] std::span<Pixel> colour_band(unsigned buffer) const { return pools_.colour[buffer]; }
   [[nodiscard]] const Statistics& statistics() const { return statistics_; }
   /// Of the last frame that was drawn.

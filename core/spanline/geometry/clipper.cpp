@@ -78,7 +78,9 @@ void Clipper::clip(ClipPolygon& polygon) const {
     std::array<std::int64_t, ClipPolygon{}.vertex.size()> distances;
     bool cut = false;
     for (unsigned i = 0; i < polygon.count; ++i) {
-      distances[i] = distance(plane, polygon.vertex[i].point);
+      const ClipVertex& vertex = polygon.vertex[i];
+      distances[i] = distance(plane, vertex.point);
+      if (plane >= first_guard_plane && vertex.in_guard_band) distances[i] = std::max<std::int64_t>(0, distances[i]);
       cut |= distances[i] < 0;
     }
     if (!cut) continue;

@@ -134,7 +134,7 @@ void PolygonAssembly::clip_triangle(const Mesh& mesh, const ClipContext& clip, c
   ClipPolygon piece;
   for (unsigned i = 0; i < 3; ++i)
     piece.vertex[i] = {view_point(*clip.transform, mesh, corner[i]), store.shades.empty() ? 0 : store.shades[corner[i]],
-                       corner[i]};
+                       corner[i], (vertices[corner[i]].depth_word & (outcode_near | outcode_guard)) == 0};
   piece.count = 3;
   clip.clipper->clip(piece);
   if (piece.count == 0) {

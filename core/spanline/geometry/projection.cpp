@@ -29,10 +29,11 @@ PointProjection::PointProjection(const FrameView& view, const ViewTransform& tra
       farthest_(view.farthest_depth) {
   exponent_shift_ = transform.exponent() + 16 - 4;
   // far / (far − near) ≥ 1 as a 32-bit mantissa: both normalised to 31 bits, then one division.
-  const std::int64_t range = std::max<std::int64_t>(1, far_ - near_);
-  const int far_zeros = leading_zeros_64(static_cast<std::uint64_t>(far_)),
+  // An orthographic far plane may lie at the eye or behind it; its ratio is not used.
+  const std::int64_t range = std::max<std::int64_t>(1, far_ - near_), far = std::max<std::int64_t>(1, far_);
+  const int far_zeros = leading_zeros_64(static_cast<std::uint64_t>(far)),
             range_zeros = leading_zeros_64(static_cast<std::uint64_t>(range));
-  const std::uint64_t numerator = static_cast<std::uint64_t>(far_) << far_zeros;               // [2^63, 2^64)
+  const std::uint64_t numerator = static_cast<std::uint64_t>(far) << far_zeros;                // [2^63, 2^64)
   const std::uint64_t denominator = (static_cast<std::uint64_t>(range) << range_zeros) >> 32;  // [2^31, 2^32)
   std::uint64_t quotient = numerator / denominator;  // ratio · 2^(far_zeros − range_zeros + 32), in (2^31, 2^33)
   int shift = far_zeros - range_zeros + 32;

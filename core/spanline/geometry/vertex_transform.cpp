@@ -11,7 +11,9 @@ namespace {
 
 constexpr int depth_range_bits = 29;  // of a distance: [1, 2^29)
 constexpr int position_bits = 30;     // of focal · x
-constexpr int low_bits = 14;          // fraction of a distance's matrix entries
+constexpr int dropped_bits = 15;      // of a position before it meets the reciprocal
+constexpr std::int64_t half_of_dropped = 1 << (dropped_bits - 1);
+constexpr int low_bits = 14;  // fraction of a distance's matrix entries
 constexpr std::int32_t low_mask = (1 << low_bits) - 1;
 
 int bit_count(std::int64_t value) { return 64 - leading_zeros_64(static_cast<std::uint64_t>(value) | 1); }
@@ -31,7 +33,14 @@ bool VertexTransform::takes(const FrameView& view, const ViewTransform& transfor
   if (placement != Placement::inside && placement != Placement::unclipped) return false;
   const std::int64_t nearest = transform.sphere_centre().z - transform.sphere_radius();
   const std::int64_t farthest = transform.sphere_centre().z + transform.sphere_radius();
-  if (farthest > nearest * 16) return false;
+  if (farthest > nearest * 4) return false;  // errors grow with it
+  // Matrix entries are rounded to 2^-16 of the greatest position: 512 pixels from the middle keep that below 1/32
+  // pixel.
+  const ViewPoint centre = transform.sphere_centre();
+  const std::int64_t reach = std::max(magnitude_64(centre.x), magnitude_64(centre.y)) + transform.sphere_radius();
+  if ((reach >> 14) * view.camera.focal.raw() > (std::int64_t{512} << 16) * (nearest >> 14)) return false;
+  // The share of depth behind the near plane must keep a few bits.
+  if (transform.near_plane() < farthest >> 20) return false;
   // Entries with their fraction must fit 32 bits, which those of a mesh of very few steps would not.
   const int entry_shift = transform.guard() + bit_count(farthest) - depth_range_bits - low_bits;
   for (int j = 0; j < 3; ++j)
@@ -45,8 +54,7 @@ VertexTransform::VertexTransform(const FrameView& view, const ViewTransform& t) 
   const ViewPoint centre = t.sphere_centre();
   const std::int64_t radius = t.sphere_radius();
 
-  // Distance: the farthest fits 29 bits. Entries must fit 32 with their fraction, which tiny meshes would exceed:
-  // theirs are counted in steps of many units, and `takes` leaves them to the wide way.
+  // Distance: the farthest fits 29 bits.
   const int z_shift = bit_count(centre.z + radius) - depth_range_bits;
   for (int j = 0; j < 3; ++j) {
     const std::int64_t entry = shift_rounded(t.entry(2, j), t.guard() + z_shift - low_bits);
@@ -56,14 +64,15 @@ VertexTransform::VertexTransform(const FrameView& view, const ViewTransform& t) 
 
   // Position: focal · the greatest |x| or |y| fits 30 bits. The shift must leave the final one in [1, 31].
   const std::int64_t reach = std::max(magnitude_64(centre.x), magnitude_64(centre.y)) + radius;
-  const std::int64_t greatest = (((reach >> 12) * focal) >> 4) + 1;  // focal has 16 fraction bits
+  const std::int64_t exact_reach = ((reach >> 12) * focal) >> 4;        // focal has 16 fraction bits
+  const std::int64_t greatest = exact_reach + (exact_reach >> 12) + 1;  // room for rounding
   const int x_shift = std::max(bit_count(greatest) - position_bits, z_shift - 6);
   const auto position_entry = [&](std::int64_t entry) {
     return wrapped(shift_rounded(entry * focal, t.guard() + 16 + x_shift));
   };
   const auto position_offset = [&](std::int64_t translation) {
     const std::int64_t view_units = shift_rounded(translation, t.guard());
-    return wrapped(shift_rounded((view_units >> 12) * focal, 4 + x_shift));
+    return wrapped(shift_rounded((view_units >> 12) * focal, 4 + x_shift) + half_of_dropped);
   };
   for (int j = 0; j < 3; ++j) {
     x_[j] = position_entry(t.entry(0, j));
@@ -126,20 +135,21 @@ void VertexTransform::run_all(std::span<const Vertex16> vertices, ScreenVertex* 
         static_cast<std::uint32_t>(static_cast<std::uint64_t>(sum >> low_bits)) + word(t.tz_);
 #endif
     const std::int32_t view_x =
-        signed_word(word(t.x_[0]) * px + word(t.x_[1]) * py + word(t.x_[2]) * pz + word(t.tx_)) >> 15;
+        signed_word(word(t.x_[0]) * px + word(t.x_[1]) * py + word(t.x_[2]) * pz + word(t.tx_)) >> dropped_bits;
     const std::int32_t view_y =
-        signed_word(word(t.y_[0]) * px + word(t.y_[1]) * py + word(t.y_[2]) * pz + word(t.ty_)) >> 15;
+        signed_word(word(t.y_[0]) * px + word(t.y_[1]) * py + word(t.y_[2]) * pz + word(t.ty_)) >> dropped_bits;
 
     const int normalise = leading_zeros_32(distance) - (32 - depth_range_bits);
-    const std::uint32_t z = distance << normalise;            // [2^28, 2^29)
-    const std::uint32_t reciprocal = reciprocal_16(z >> 13);  // 2^44 / z
+    const std::uint32_t z = distance << normalise;  // [2^28, 2^29)
+    // Two Newton steps: 2^44 / z with 16 bits, then 2^54 / z with 26. z·seed ≈ 2^44, so its low word is the error.
+    const std::uint32_t seed = reciprocal_16(z >> 13);
+    const std::int32_t error = signed_word(0u - z * seed);
+    const std::uint32_t fine = (seed << 10) + word(((error >> 16) * signed_word(seed)) >> 18);
+    const std::int32_t reciprocal = signed_word((fine + 512) >> 10);
     const int shift = t.shift_ - normalise;
-    const std::int32_t x = (((view_x * signed_word(reciprocal)) >> shift) + 1) >> 1;
-    const std::int32_t y = (((view_y * signed_word(reciprocal)) >> shift) + 1) >> 1;
+    const std::int32_t x = (((view_x * reciprocal) >> shift) + 1) >> 1;
+    const std::int32_t y = (((view_y * reciprocal) >> shift) + 1) >> 1;
 
-    // A second Newton step for depth: 2^54 / z with 26 bits. z·reciprocal ≈ 2^44, so its low word is the error.
-    const std::int32_t error = signed_word(0u - z * reciprocal);
-    const std::uint32_t fine = (reciprocal << 10) + word(((error >> 16) * signed_word(reciprocal)) >> 18);
     const std::uint32_t behind = multiply_high(fine << 5, t.depth_scale_) >> (t.depth_shift_ - normalise);
     std::int32_t depth = signed_word(t.depth_base_ - behind) >> t.depth_fraction_;
     depth = depth < t.nearest_ ? t.nearest_ : depth > t.farthest_ ? t.farthest_ : depth;

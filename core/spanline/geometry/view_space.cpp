@@ -111,10 +111,12 @@ bool within_guard_band(std::int64_t coordinate, std::int64_t nearest, std::int64
 Placement place_orthographic(const FrameView& view, const ViewTransform& t) {
   const ViewPoint c = t.sphere_centre();
   const std::int64_t r = t.sphere_radius();
-  // Half the view in view units: (size / 2 pixels) / (pixels a world unit).
+  // Half the view in view units: (size / 2 pixels) / (pixels a world unit); beyond 2^61 everything is in view.
   const auto half = [&](std::int32_t pixels) {
-    return t.from_world(Q16_16::from_raw(static_cast<std::int32_t>(std::min<std::int64_t>(
-        0x7fffffff, (static_cast<std::int64_t>(pixels) << 31) / std::max<std::int32_t>(1, view.camera.focal.raw())))));
+    const std::int64_t world_q16 = (static_cast<std::int64_t>(pixels) << 31) / view.camera.focal.raw();
+    const int shift = 16 - t.exponent();
+    if (bit_count(static_cast<std::uint64_t>(world_q16)) - shift > 61) return std::int64_t{1} << 61;
+    return shift_rounded(world_q16, shift);
   };
   const std::int64_t half_x = half(view.viewport.width), half_y = half(view.viewport.height);
   const auto x = static_cast<std::int64_t>(absolute(c.x)), y = static_cast<std::int64_t>(absolute(c.y));

@@ -31,7 +31,8 @@ class ViewTransform {
   ViewTransform() = default;
   ViewTransform(const FrameView& view, const Mesh& mesh, const Transform& transform);
 
-  /// A vertex of the mesh, |coordinate| ≤ 2^30. Error below 2^-28 of the instance's extent.
+  /// A vertex of the mesh, |coordinate| ≤ 2^30. Error below 2^-26 of the reach of the view: the far plane, or what
+  /// lies beyond it.
   [[nodiscard]] ViewPoint operator()(std::int32_t x, std::int32_t y, std::int32_t z) const {
     return {component(0, x, y, z), component(1, x, y, z), component(2, x, y, z)};
   }

@@ -36,7 +36,7 @@ using Position = Vec3<Q16_16>;  ///< a point in world units
 }
 
 /// The unit vector along (x, y, z), integers of any common scale up to 2^62; (0, 0, 0) gives (0, 0, 0).
-/// Error at most 2^-29 a component.
+/// Error at most 2^-28 a component.
 [[nodiscard]] constexpr Direction normalise(std::int64_t x, std::int64_t y, std::int64_t z) {
   const auto absolute = [](std::int64_t v) { return static_cast<std::uint64_t>(v < 0 ? -v : v); };
   const std::uint64_t greatest = absolute(x) | absolute(y) | absolute(z);
