@@ -14,7 +14,7 @@ namespace spanline {
 namespace gouraud {
 
 inline constexpr int ramp_bits = 6;
-inline constexpr std::size_t ramp_size = std::size_t{1} << ramp_bits;
+inline constexpr std::uint32_t ramp_size = 1u << ramp_bits;
 
 /// The shade of a vertex without a colour of its own.
 [[nodiscard]] constexpr std::uint32_t shade_of(Intensity intensity) {
