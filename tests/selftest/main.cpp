@@ -36,7 +36,8 @@ class Collector {
 
  private:
   [[nodiscard]] Rgb888 rgb888(std::uint16_t stored) const {
-    const unsigned word = swapped_ ? (stored << 8 | stored >> 8) & 0xffffU : stored;
+    const unsigned raw = stored;
+    const unsigned word = swapped_ ? (raw << 8 | raw >> 8) & 0xffffU : raw;
     const auto widened = [](unsigned value, unsigned greatest) {
       return static_cast<std::uint8_t>((value * 255 + greatest / 2) / greatest);
     };
