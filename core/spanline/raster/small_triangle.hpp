@@ -24,6 +24,9 @@ inline constexpr std::int32_t margin = 11;
   return word(t.dx1 + reach) <= 2 * reach && word(t.dx2 + reach) <= 2 * reach && word(t.dy1 | t.dy2) <= max_height;
 }
 
+/// The screen column that the columns of edges and functions count from.
+[[nodiscard]] inline std::int32_t origin_of(const Triangle& t) { return (t.ax >> 4) - row_bias - margin; }
+
 /// round(2^26 / d): slopes without a divide.
 inline constexpr std::array<std::uint32_t, max_height + 1> reciprocal_q26 = [] {
   std::array<std::uint32_t, max_height + 1> table{};

@@ -1,0 +1,91 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#include "spanline/raster/depth_format.hpp"
+#include "spanline/raster/gradients.hpp"
+#include "spanline/raster/linear_function.hpp"
+#include "spanline/raster/small_triangle.hpp"
+#include "spanline/raster/triangle.hpp"
+
+namespace spanline {
+
+/// Whether a corner lies outside the viewport: such triangles take the wide set-up whatever their size.
+[[nodiscard]] inline bool leaves_viewport(const Triangle& t) {
+  return ((t.a->depth_word | t.b->depth_word | t.c->depth_word) &
+          (outcode_left | outcode_right | outcode_top | outcode_bottom)) != 0;
+}
+
+/// Whether a triangle that does not leave the viewport is of the small class; gives its signed doubled area then.
+[[nodiscard, gnu::always_inline]] inline bool is_small(const Triangle& t, std::int32_t& area) {
+  return small_triangle::fits(t) && (magnitude(area = t.doubled_area()) >> 16) == 0;
+}
+
+/// Depth over a small triangle on its first row, from its column of origin; false where the wide function must serve.
+/// The area is positive. Smaller is nearer.
+template <class Depth>
+[[nodiscard, gnu::always_inline]] inline bool fit_small_depth(const Triangle& t, std::int32_t area,
+                                                              std::int32_t row_offset, LinearFunction& function) {
+  if constexpr (Depth::bits == 16)
+    return small_triangle::Gradients(word(area))
+        .fit<small_triangle::Precision::depth>(t, t.a->depth<Depth>(), t.b->depth<Depth>(), t.c->depth<Depth>(),
+                                               row_offset, function);
+  return false;
+}
+
+/// An attribute of 16 bits over a small triangle, as fit_small_depth.
+[[nodiscard, gnu::always_inline]] inline bool fit_small_attribute(const Triangle& t, std::int32_t area, std::int32_t a,
+                                                                  std::int32_t b, std::int32_t c,
+                                                                  std::int32_t row_offset, LinearFunction& function) {
+  return small_triangle::Gradients(word(area)).fit<small_triangle::Precision::shade>(t, a, b, c, row_offset, function);
+}
+
+/// The plane equation of a triangle, for depth and for every attribute, as functions of the whole screen: column 0 of
+/// row 0. They depend on the three corners and the viewport alone, so algorithms that ask here and those that set up an
+/// ActiveTriangle get the same word at every pixel.
+class PlaneEquation {
+ public:
+  /// `first_vertex` is that of the corners' group.
+  PlaneEquation(const ScreenVertex* p, const ScreenVertex* q, const ScreenVertex* r, const ScreenVertex* first_vertex,
+                Viewport viewport);
+
+  /// Twice the area in square sixteenths; a triangle of none has no plane, and must not be asked for one.
+  [[nodiscard]] std::int64_t doubled_area() const { return area_; }
+
+  /// The depth format's plane words, in its own sense.
+  template <class Depth>
+  [[nodiscard]] LinearFunction depth() const {
+    LinearFunction function;
+    if (small_ && fit_small_depth<Depth>(triangle_, small_area(), row_offset(), function))
+      function = moved_from_small_origin(function);
+    else
+      function =
+          wide(triangle_.a->depth<Depth>(), triangle_.b->depth<Depth>(), triangle_.c->depth<Depth>(), Depth::bits);
+    return Depth::smaller ? function : function.complemented();
+  }
+
+  /// Number of a corner within its group.
+  [[nodiscard]] std::size_t index(const ScreenVertex* v) const { return static_cast<std::size_t>(v - first_vertex_); }
+
+  /// What shaders make their surfaces from: `value_of` gives a value in [0, 65535] for a corner; the function has 16
+  /// guard bits.
+  template <class ValueOf>
+  void fit(ValueOf value_of, LinearFunction& function) const {
+    function = attribute(value_of(triangle_.a), value_of(triangle_.b), value_of(triangle_.c));
+  }
+
+ private:
+  [[nodiscard]] std::int32_t small_area() const { return static_cast<std::int32_t>(area_); }
+  [[nodiscard]] std::int32_t row_offset() const { return 16 * row_at(triangle_.ay) + 8 - triangle_.ay; }
+  [[nodiscard]] LinearFunction moved_from_small_origin(LinearFunction function) const;
+  [[nodiscard]] LinearFunction attribute(std::int32_t a, std::int32_t b, std::int32_t c) const;
+  [[nodiscard]] LinearFunction wide(std::int32_t a, std::int32_t b, std::int32_t c, int bits) const;
+
+  Triangle triangle_;
+  const ScreenVertex* first_vertex_;
+  std::int64_t area_;
+  Viewport viewport_;
+  bool small_;
+};
+
+}  // namespace spanline
