@@ -61,6 +61,7 @@ void measure(const char* scene, Capacity capacity, unsigned band, Submit submit)
       for (const auto pixel : view.pixels) crc.add(pixel);
     }
     if (!renderer.end_bands().ok()) board::write("bench: a pool is full\n");
+    board::counter_report();
   }
   print(scene, band == 0 ? "zbuffer" : "scanline-z", Traits::Depth::bits, band, instructions, crc.value(),
         renderer.peaks().total());

@@ -2,6 +2,7 @@
 """Runs build/firmware/<board>/bench.elf for each core under QEMU, prints a table and writes build/bench.json.
 
 The image prints a line for each case: bench <scene> <visibility> <depth> <band> <instructions> <crc> <peak bytes>.
+Cycles are those of the model in tests/qemu/cycles, for the cores that it knows; null for the others.
 """
 
 import argparse
@@ -9,10 +10,12 @@ import json
 import pathlib
 import re
 import sys
+import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests/qemu"))
 
+import cycles  # noqa: E402
 import machine  # noqa: E402
 from machine import Failure  # noqa: E402
 
@@ -24,16 +27,30 @@ CORES = {
     "m7": "mps2-an500",
     "rv32": "virt-rv32",
 }
+# Those whose cycles are modelled.
+MODELLED = ("m0plus", "m3", "m4")
 LINE = re.compile(r"^bench (\S+) (\S+) (16|24) (\d+) (\d+) ([0-9a-f]{8}) (\d+)$", re.MULTILINE)
 BUDGETS = ROOT / "tests/bench/budgets.json"
 
 
-def measure(core, timeout):
-    """The rows of one core, as design.md's list of bench.json describes them."""
+def run(core, timeout):
+    """What the image printed, and the cycle counter's report of each case's measured frame, where there is a model."""
     board = CORES[core]
-    result = machine.run(board, ROOT / f"build/firmware/{board}/bench.elf", timeout)
+    image = ROOT / f"build/firmware/{board}/bench.elf"
+    with tempfile.TemporaryDirectory() as folder:
+        out = f"{folder}/cycles"
+        counter = cycles.arguments(core, out, blocks=True) if core in MODELLED else []
+        result = machine.run(board, image, timeout, *counter)
+        # Every case is a cold frame and a warm one, which is the one that counts.
+        reports = cycles.read_reports(out)[1::2] if counter else []
     if result.code != 0 or result.complaints:
         raise Failure(f"bench on {board} ended with {result.code}:\n{result.console}{result.complaints}")
+    return result.console, reports
+
+
+def measure(core, timeout):
+    """The rows of one core, as design.md's list of bench.json describes them, and their cycle reports."""
+    console, reports = run(core, timeout)
     rows = [
         {
             "scene": scene,
@@ -46,11 +63,25 @@ def measure(core, timeout):
             "crc": crc,
             "peak_bytes": int(peak),
         }
-        for scene, visibility, depth, band, instructions, crc, peak in LINE.findall(result.console)
+        for scene, visibility, depth, band, instructions, crc, peak in LINE.findall(console)
     ]
     if not rows:
-        raise Failure(f"bench on {board} printed no figures:\n{result.console}")
-    return rows
+        raise Failure(f"bench on {core} printed no figures:\n{console}")
+    if reports and len(reports) != len(rows):
+        raise Failure(f"bench on {core}: {len(rows)} cases, but {len(reports)} cycle reports")
+    for row, report in zip(rows, reports):
+        require_same_count(row, report)
+        row["cycles"] = report.cycles
+    return rows, reports
+
+
+def require_same_count(row, report):
+    """Timer and plugin count the same instructions, but for a few at the ends of each interval."""
+    if abs(row["instructions"] - report.instructions) > 8 * report.intervals:
+        raise Failure(
+            f"{row['core']}, {case(row)}: the timer counts {row['instructions']} instructions, "
+            f"the plugin {report.instructions}"
+        )
 
 
 def case(row):
@@ -58,14 +89,24 @@ def case(row):
     return f"{row['scene']} {row['visibility']} {row['depth']} {row['band']}"
 
 
-def print_table(rows):
-    """One line a case, one column a core, in millions of instructions."""
-    cores = [core for core in CORES if any(row["core"] == core for row in rows)]
-    figures = {(case(row), row["core"]): row["instructions"] for row in rows}
-    print(f"{'millions of instructions':28}" + "".join(f"{core:>9}" for core in cores))
+def print_table(rows, figure):
+    """One line a case, one column a core, in millions."""
+    cores = [core for core in CORES if any(row["core"] == core and row[figure] is not None for row in rows)]
+    figures = {(case(row), row["core"]): row[figure] for row in rows}
+    print(f"{f'millions of {figure}':28}" + "".join(f"{core:>9}" for core in cores))
     for name in dict.fromkeys(case(row) for row in rows):
         cells = (figures.get((name, core)) for core in cores)
         print(f"{name:28}" + "".join(f"{'-' if cell is None else f'{cell / 1e6:.3f}':>9}" for cell in cells))
+    print()
+
+
+def print_hottest(core, name, report):
+    """The functions of a frame that take most of it."""
+    image = ROOT / f"build/firmware/{CORES[core]}/bench.elf"
+    print(f"hottest functions of {name} on {core}: cycles, share, instructions")
+    for function, instructions, spent in cycles.hottest(report, cycles.Symbols(image), 8):
+        print(f"{spent:10} {100 * spent / report.cycles:5.1f} % {instructions:10}  {function}")
+    print()
 
 
 def pictures_differ(rows):
@@ -93,15 +134,24 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true", help="fail where a figure is above tests/bench/budgets.json")
     parser.add_argument("--core", action="append", choices=CORES, help="this core only; may be given again")
+    parser.add_argument("--hottest", default="S4 scanline-z 16 16", metavar="CASE",
+                        help="whose functions to list, as the table names it (S4 scanline-z 16 16)")
     parser.add_argument("--timeout", type=float, default=300, help="seconds a core (300)")
     arguments = parser.parse_args()
     if arguments.check and arguments.core:
         parser.error("--check wants all cores")
+    rows, listed = [], []
     try:
-        rows = [row for core in arguments.core or CORES for row in measure(core, arguments.timeout)]
+        for core in arguments.core or CORES:
+            measured, reports = measure(core, arguments.timeout)
+            rows += measured
+            listed += [(core, report) for row, report in zip(measured, reports) if case(row) == arguments.hottest]
     except Failure as failure:
         sys.exit(f"bench.py: {failure}")
-    print_table(rows)
+    print_table(rows, "instructions")
+    print_table(rows, "cycles")
+    for core, report in listed:
+        print_hottest(core, arguments.hottest, report)
     if not arguments.core:
         (ROOT / "build/bench.json").write_text(json.dumps(rows, indent=1) + "\n")
     faults = pictures_differ(rows) + (list(over_budget(rows)) if arguments.check else [])

@@ -48,11 +48,11 @@ def complaints(board, text):
     return "".join(line for line in text.splitlines(keepends=True) if line.rstrip() not in known)
 
 
-def run(board, image, timeout):
-    """Runs an image until it exits."""
+def run(board, image, timeout, *more):
+    """Runs an image until it exits; `more` are further arguments for the emulator."""
     try:
         done = subprocess.run(
-            command_line(board, image),
+            command_line(board, image, *more),
             stdin=subprocess.DEVNULL,
             capture_output=True,
             text=True,

@@ -25,4 +25,7 @@ inline void counter_start() { counter_origin = instructions_retired(); }
 /// Instructions since `counter_start`. The two calls themselves are a few of them.
 inline std::uint32_t counter_read() { return instructions_retired() - counter_origin; }
 
+/// For the boards whose cycles are modelled.
+inline void counter_report() {}
+
 }  // namespace spanline::board
