@@ -2,6 +2,7 @@
 // of their code with the project's warnings, and the symbol check finds no heap, float or exception in it.
 #include "spanline/hal/panels/ili9341.hpp"
 #include "spanline/hal/panels/ssd0323.hpp"
+#include "spanline/hal/panels/st7789.hpp"
 #include "spanline/hal/present.hpp"
 
 namespace spanline::hal::check {
@@ -23,17 +24,26 @@ struct NullCounter {
   std::uint32_t cycles() { return 0; }
 };
 
-using Portrait = Ili9341<NullBus, NullClock, Orientation::portrait>;
+/// A bus with a line back, which init() uses.
+struct NullReadableBus : NullBus {
+  Status read(std::uint8_t, std::span<std::uint8_t>) { return Status::ok; }
+};
+
+using Portrait = Ili9341<NullReadableBus, NullClock, MipiOptions{.orientation = Orientation::portrait}>;
 using Landscape = Ili9341<NullBus, NullClock>;
+using Small = St7789<st7789::glass_135x240, NullBus, NullClock, MipiOptions{.colours = ColourFormat::rgb444}>;
 using Oled = Ssd0323<NullBus, NullClock>;
-static_assert(Panel<Portrait> && Panel<Landscape> && Panel<Oled> && CycleCounter<NullCounter>);
+static_assert(Panel<Portrait> && Panel<Landscape> && Panel<Small> && Panel<Oled> && CycleCounter<NullCounter>);
 
 }  // namespace spanline::hal::check
 
 namespace spanline::hal {
 
-template class Ili9341<check::NullBus, check::NullClock, Orientation::portrait>;
-template class Ili9341<check::NullBus, check::NullClock>;
+template class MipiPanel<Ili9341Chip, check::NullReadableBus, check::NullClock,
+                         MipiOptions{.orientation = Orientation::portrait}>;
+template class MipiPanel<Ili9341Chip, check::NullBus, check::NullClock>;
+template class MipiPanel<St7789Chip<st7789::glass_135x240>, check::NullBus, check::NullClock,
+                         MipiOptions{.colours = ColourFormat::rgb444}>;
 template class Ssd0323<check::NullBus, check::NullClock>;
 template class Present<check::Landscape, check::NullClock>;
 template class Present<check::Oled, check::NullClock>;

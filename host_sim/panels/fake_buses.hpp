@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -65,6 +66,9 @@ class StuckBus {
   hal::Status command(std::span<const std::uint8_t> bytes) {
     return stuck_ ? hal::Status::bus_timeout : inner_.command(bytes);
   }
+  hal::Status read(std::uint8_t command, std::span<std::uint8_t> answer) {
+    return stuck_ ? hal::Status::bus_timeout : inner_.read(command, answer);
+  }
   hal::Status pixels(std::span<const std::uint8_t> bytes) {
     if (remaining_ > 0 && --remaining_ == 0) stuck_ = true;
     return stuck_ ? hal::Status::ok : inner_.pixels(bytes);
@@ -77,6 +81,34 @@ class StuckBus {
   HostBus& inner_;
   int remaining_ = 0;
   bool stuck_ = false;
+};
+
+/// A bus whose plug can be pulled: bytes go nowhere, and nothing comes back but the level of a line that a resistor
+/// holds high.
+class PluggedBus {
+ public:
+  explicit PluggedBus(HostBus& inner) : inner_(inner) {}
+
+  void plug(bool in) { plugged_ = in; }
+
+  hal::Status command(std::span<const std::uint8_t> bytes) {
+    return plugged_ ? inner_.command(bytes) : hal::Status::ok;
+  }
+  hal::Status read(std::uint8_t command, std::span<std::uint8_t> answer) {
+    if (plugged_) return inner_.read(command, answer);
+    std::fill(answer.begin(), answer.end(), std::uint8_t{0xFF});
+    return hal::Status::ok;
+  }
+  hal::Status pixels(std::span<const std::uint8_t> bytes) { return plugged_ ? inner_.pixels(bytes) : hal::Status::ok; }
+  bool busy() { return plugged_ && inner_.busy(); }
+  void reset(bool held) {
+    if (plugged_) inner_.reset(held);
+  }
+  [[nodiscard]] std::uint32_t clock_hz() const { return inner_.clock_hz(); }
+
+ private:
+  HostBus& inner_;
+  bool plugged_ = true;
 };
 
 }  // namespace spanline::sim

@@ -30,6 +30,15 @@ class HostBus {
     return hal::Status::ok;
   }
 
+  /// At 1 MHz. A panel that does not answer leaves the line high.
+  hal::Status read(std::uint8_t command, std::span<std::uint8_t> answer) {
+    refuse_while_busy("read");
+    clock_.advance_ns(8'000 * (1 + answer.size()));
+    const std::vector<std::uint8_t> said = model_.read(command, clock_.now_ns());
+    for (std::size_t i = 0; i < answer.size(); ++i) answer[i] = i < said.size() ? said[i] : 0xFF;
+    return hal::Status::ok;
+  }
+
   hal::Status pixels(std::span<const std::uint8_t> bytes) {
     refuse_while_busy("pixels");
     in_flight_ = bytes;

@@ -43,6 +43,11 @@ void PanelModel::byte(bool data, std::uint8_t value, std::uint64_t now_ns) {
   }
 }
 
+std::vector<std::uint8_t> PanelModel::read(std::uint8_t command, std::uint64_t now_ns) {
+  now_ns_ = now_ns;
+  return reset_low_ ? std::vector<std::uint8_t>{} : on_read(command);
+}
+
 void PanelModel::set_clock(std::uint32_t clock_hz, std::uint64_t now_ns) {
   const std::string clock = "bus clock " + std::to_string(clock_hz) + " Hz, ";
   switch (limits_.clock.verdict(clock_hz)) {

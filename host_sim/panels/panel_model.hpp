@@ -35,6 +35,9 @@ class PanelModel {
   /// One byte; `data` is the level of D/C during it.
   void byte(bool data, std::uint8_t value, std::uint64_t now_ns);
 
+  /// A command that asks: what the panel answers, from its first empty byte on.
+  std::vector<std::uint8_t> read(std::uint8_t command, std::uint64_t now_ns);
+
   /// The serial clock that the bytes come with, hertz.
   void set_clock(std::uint32_t clock_hz, std::uint64_t now_ns);
 
@@ -65,6 +68,8 @@ class PanelModel {
   virtual void on_command(std::uint8_t value) = 0;
   virtual void on_data(std::uint8_t value) = 0;
   virtual void on_end_of_stream() = 0;
+  /// Panels that nobody reads from leave this.
+  virtual std::vector<std::uint8_t> on_read(std::uint8_t) { return {}; }
 
   /// Raises a complaint at the time of the byte that is being decoded.
   void complain(ComplaintKind kind, std::string text) { complain(kind, std::move(text), now_ns_); }

@@ -1,22 +1,35 @@
 #include "panels/panel_registry.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <iterator>
 
 #include "panels/host_bus.hpp"
 #include "panels/ili9341_model.hpp"
 #include "panels/sim_clock.hpp"
 #include "panels/ssd0323_model.hpp"
+#include "panels/st7789_model.hpp"
 #include "spanline/hal/panels/ili9341.hpp"
 #include "spanline/hal/panels/ssd0323.hpp"
+#include "spanline/hal/panels/st7789.hpp"
 
 namespace spanline::sim {
 namespace {
 
-template <hal::Orientation orientation>
+using hal::MipiOptions;
+using hal::Orientation;
+
+template <Orientation orientation>
 struct Ili9341Parts {
-  using Driver = hal::Ili9341<HostBus, SimClock, orientation>;
+  using Driver = hal::Ili9341<HostBus, SimClock, MipiOptions{.orientation = orientation}>;
   static Ili9341Model make_model() { return Ili9341Model(orientation); }
+};
+
+template <hal::mipi::Glass glass, St7789Glass model, MipiOptions options>
+struct St7789Parts {
+  using Driver = hal::St7789<glass, HostBus, SimClock, options>;
+  static St7789Model make_model() { return {model, options.orientation}; }
 };
 
 struct Ssd0323Parts {
@@ -77,11 +90,14 @@ class Session : public PanelSession {
   hal::Present<Driver, SimClock> present_{driver_, clock_, first_, second_, 60'000'000};
 };
 
-using Factory = std::unique_ptr<PanelSession> (*)(const PanelInfo&, const PanelOptions&);
+template <typename Parts>
+std::unique_ptr<PanelSession> new_session(const PanelInfo& info, const PanelOptions& options) {
+  return std::make_unique<Session<Parts>>(info, options);
+}
 
 template <typename Parts>
-std::unique_ptr<PanelSession> make_session(const PanelInfo& info, const PanelOptions& options) {
-  return std::make_unique<Session<Parts>>(info, options);
+std::unique_ptr<PanelModel> new_model() {
+  return std::make_unique<decltype(Parts::make_model())>(Parts::make_model());
 }
 
 template <typename Parts>
@@ -90,31 +106,72 @@ constexpr PanelInfo describe_panel(std::string_view name, std::string_view panel
   return {name, panel_class, description, Driver::width, Driver::height, Driver::pixel_order, Driver::clock_rating};
 }
 
-using Landscape = Ili9341Parts<hal::Orientation::landscape>;
-using Portrait = Ili9341Parts<hal::Orientation::portrait>;
+using Landscape = Ili9341Parts<Orientation::landscape>;
+using Portrait = Ili9341Parts<Orientation::portrait>;
 
-// A panel is one line in each of these two tables.
-constexpr PanelInfo infos[] = {
-    describe_panel<Landscape>("ili9341", "320x240 rgb565", "ILI9341 colour TFT, held in landscape"),
-    describe_panel<Portrait>("ili9341-portrait", "240x320 rgb565", "ILI9341 colour TFT, held in portrait"),
-    describe_panel<Ssd0323Parts>("ssd0323", "128x64 grey4", "SSD0323 OLED with 16 grey levels"),
+template <MipiOptions options>
+using St7789 = St7789Parts<hal::st7789::glass_240x320, St7789Glass::size_240x320, options>;
+template <MipiOptions options>
+using SquareSt7789 = St7789Parts<hal::st7789::glass_240x240, St7789Glass::size_240x240, options>;
+template <MipiOptions options>
+using NarrowSt7789 = St7789Parts<hal::st7789::glass_135x240, St7789Glass::size_135x240, options>;
+
+constexpr MipiOptions landscape{.orientation = Orientation::landscape};
+constexpr MipiOptions portrait{.orientation = Orientation::portrait};
+constexpr MipiOptions landscape_444{.orientation = Orientation::landscape, .colours = hal::ColourFormat::rgb444};
+
+// A panel is one line in this table.
+struct Entry {
+  PanelInfo info;
+  std::unique_ptr<PanelSession> (*make_session)(const PanelInfo&, const PanelOptions&);
+  std::unique_ptr<PanelModel> (*make_model)();
 };
-constexpr Factory factories[] = {make_session<Landscape>, make_session<Portrait>, make_session<Ssd0323Parts>};
-static_assert(std::size(infos) == std::size(factories));
+
+template <typename Parts>
+constexpr Entry entry(std::string_view name, std::string_view panel_class, std::string_view description) {
+  return {describe_panel<Parts>(name, panel_class, description), new_session<Parts>, new_model<Parts>};
+}
+
+constexpr Entry entries[] = {
+    entry<Landscape>("ili9341", "320x240 rgb565", "ILI9341 colour TFT, held in landscape"),
+    entry<Portrait>("ili9341-portrait", "240x320 rgb565", "ILI9341 colour TFT, held in portrait"),
+    entry<St7789<landscape>>("st7789", "320x240 rgb565", "ST7789 colour TFT, held in landscape"),
+    entry<St7789<portrait>>("st7789-portrait", "240x320 rgb565", "ST7789 colour TFT, held in portrait"),
+    entry<St7789<landscape_444>>("st7789-444", "320x240 rgb444", "ST7789 in landscape with 12 bits a pixel"),
+    entry<SquareSt7789<portrait>>("st7789-240x240", "240x240 rgb565", "ST7789 with the square glass"),
+    entry<NarrowSt7789<landscape>>("st7789-135x240", "240x135 rgb565", "ST7789 with the narrow glass, in landscape"),
+    entry<Ssd0323Parts>("ssd0323", "128x64 grey4", "SSD0323 OLED with 16 grey levels"),
+};
+
+constexpr auto infos = [] {
+  std::array<PanelInfo, std::size(entries)> list{};
+  std::transform(std::begin(entries), std::end(entries), list.begin(), [](const Entry& e) { return e.info; });
+  return list;
+}();
+
+const Entry* find_entry(std::string_view name) {
+  const auto* found =
+      std::find_if(std::begin(entries), std::end(entries), [name](const Entry& e) { return e.info.name == name; });
+  return found == std::end(entries) ? nullptr : found;
+}
 
 }  // namespace
 
 std::span<const PanelInfo> panels() { return infos; }
 
 const PanelInfo* find_panel(std::string_view name) {
-  const auto* found =
-      std::find_if(std::begin(infos), std::end(infos), [name](const PanelInfo& info) { return info.name == name; });
-  return found == std::end(infos) ? nullptr : found;
+  const Entry* entry = find_entry(name);
+  return entry == nullptr ? nullptr : &infos[static_cast<std::size_t>(entry - entries)];
 }
 
 std::unique_ptr<PanelSession> open_panel(std::string_view name, const PanelOptions& options) {
-  const PanelInfo* info = find_panel(name);
-  return info == nullptr ? nullptr : factories[info - infos](*info, options);
+  const Entry* entry = find_entry(name);
+  return entry == nullptr ? nullptr : entry->make_session(entry->info, options);
+}
+
+std::unique_ptr<PanelModel> make_panel_model(std::string_view name) {
+  const Entry* entry = find_entry(name);
+  return entry == nullptr ? nullptr : entry->make_model();
 }
 
 }  // namespace spanline::sim

@@ -67,4 +67,7 @@ class PanelSession {
 /// bus_clock_too_high from show(), and as a complaint.
 [[nodiscard]] std::unique_ptr<PanelSession> open_panel(std::string_view name, const PanelOptions& options = {});
 
+/// The model alone, for bytes that come from elsewhere; nullptr if there is no panel of that name.
+[[nodiscard]] std::unique_ptr<PanelModel> make_panel_model(std::string_view name);
+
 }  // namespace spanline::sim

@@ -22,7 +22,7 @@ using sim::StuckBus;
 template <class Bus>
 using Oled = hal::Ssd0323<Bus, SimClock>;
 template <class Bus>
-using Tft = hal::Ili9341<Bus, SimClock, hal::Orientation::landscape>;
+using Tft = hal::Ili9341<Bus, SimClock>;
 
 sim::Ssd0323Model model_for(const Oled<StuckBus>*) { return {}; }
 sim::Ili9341Model model_for(const Tft<StuckBus>*) { return sim::Ili9341Model(hal::Orientation::landscape); }

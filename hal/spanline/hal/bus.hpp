@@ -28,4 +28,14 @@ concept Bus = requires(B& bus, std::span<const std::uint8_t> bytes, bool held) {
   { bus.clock_hz() } -> std::same_as<std::uint32_t>;
 };
 
+/// A bus with a line back from the panel.
+///
+/// - `read(command, answer)`: sends the command and takes in as many bytes as `answer` holds, the chip's first empty
+/// one
+///   included, at a clock that panels can be read at (5 MHz at most). Called only while not busy.
+template <typename B>
+concept ReadableBus = Bus<B> && requires(B& bus, std::uint8_t command, std::span<std::uint8_t> answer) {
+  { bus.read(command, answer) } -> std::same_as<Status>;
+};
+
 }  // namespace spanline::hal

@@ -9,6 +9,8 @@ enum class [[nodiscard]] Status : std::uint8_t{
     bus_timeout,          ///< the bus did not finish a transfer in time; the frame is given up
     bus_busy,             ///< a transfer is still in flight: wait until the bus is not busy
     bus_clock_too_high,   ///< the bus clock is above what the panel's table tolerates
+    bus_clock_too_low,    ///< the divider gives less than was asked for: pictures are right and take longer
+    panel_absent,         ///< the panel was asked who it is, and answered nothing or something else
     window_out_of_range,  ///< a window is empty, outside the panel or off its column grid
     buffer_too_small,     ///< the pixel buffer holds fewer pixels than the rows need
     panel_not_ready,      ///< pixels or sleep before a successful init()
@@ -27,6 +29,10 @@ enum class [[nodiscard]] Status : std::uint8_t{
       return "bus_busy";
     case Status::bus_clock_too_high:
       return "bus_clock_too_high";
+    case Status::bus_clock_too_low:
+      return "bus_clock_too_low";
+    case Status::panel_absent:
+      return "panel_absent";
     case Status::window_out_of_range:
       return "window_out_of_range";
     case Status::buffer_too_small:

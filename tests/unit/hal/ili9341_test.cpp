@@ -17,7 +17,7 @@ using test::RecordingBus;
 using Kind = RecordingBus::Event::Kind;
 
 template <Orientation orientation>
-using Driver = hal::Ili9341<RecordingBus, sim::SimClock, orientation>;
+using Driver = hal::Ili9341<RecordingBus, sim::SimClock, hal::MipiOptions{.orientation = orientation}>;
 using Landscape = Driver<Orientation::landscape>;
 using Portrait = Driver<Orientation::portrait>;
 

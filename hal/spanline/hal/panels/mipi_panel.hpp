@@ -1,0 +1,285 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "spanline/hal/bus.hpp"
+#include "spanline/hal/clock.hpp"
+#include "spanline/hal/command_table.hpp"
+#include "spanline/hal/panel.hpp"
+
+namespace spanline::hal {
+
+/// How many bits a pixel takes on the wire.
+enum class ColourFormat : std::uint8_t {
+  rgb565,  ///< 16 bits; bands go out as they lie in memory
+  rgb444,  ///< 12 bits: three quarters of the wire time, and a pass over each band to pack it in place
+};
+
+/// What a program chooses of a panel with the MIPI display command set.
+struct MipiOptions {
+  Orientation orientation = Orientation::landscape;  ///< how the viewer holds it
+  bool mirrored = false;                             ///< left and right exchanged, for a panel seen in a mirror
+  bool swap_red_blue = false;  ///< for modules whose colour filters lie the other way than the common ones
+  bool inverted = false;       ///< every colour as its complement
+  ColourFormat colours = ColourFormat::rgb565;
+};
+
+/// What the chips that speak the MIPI display command set (DCS) have in common.
+namespace mipi {
+
+inline constexpr std::uint8_t software_reset = 0x01;
+inline constexpr std::uint8_t sleep_in = 0x10;
+inline constexpr std::uint8_t sleep_out = 0x11;
+inline constexpr std::uint8_t normal_mode = 0x13;
+inline constexpr std::uint8_t inversion_off = 0x20;
+inline constexpr std::uint8_t inversion_on = 0x21;
+inline constexpr std::uint8_t display_off = 0x28;
+inline constexpr std::uint8_t display_on = 0x29;
+inline constexpr std::uint8_t column_address_set = 0x2A;
+inline constexpr std::uint8_t page_address_set = 0x2B;
+inline constexpr std::uint8_t memory_write = 0x2C;
+inline constexpr std::uint8_t memory_access_control = 0x36;
+inline constexpr std::uint8_t pixel_format_set = 0x3A;
+
+inline constexpr std::uint8_t format_12_bits = 0x53;
+inline constexpr std::uint8_t format_16_bits = 0x55;
+
+/// Bits of the memory access control byte: rows from the other end, columns from the other end, rows and columns
+/// exchanged, blue first.
+inline constexpr std::uint8_t flip_rows = 0x80;
+inline constexpr std::uint8_t flip_columns = 0x40;
+inline constexpr std::uint8_t exchange = 0x20;
+inline constexpr std::uint8_t blue_first = 0x08;
+
+/// Reset low for at least 10 µs; twice that, as a board's delay may be coarse.
+inline constexpr std::uint32_t reset_low_us = 20;
+/// After reset and on both ways between sleep and waking: 120 ms until the supplies are stable. Some commands are
+/// allowed after 5 ms; waiting once for all is simpler.
+inline constexpr std::uint32_t settle_ms = 120;
+
+/// The part of a chip's memory that a glass shows, in memory columns and rows as they are with nothing flipped.
+struct Glass {
+  int memory_columns, memory_rows;
+  int column, row;  ///< of its corner
+  int width, height;
+};
+
+/// How the viewer's picture lies in the chip's addresses.
+struct Addressing {
+  std::uint8_t memory_access;     ///< the byte for memory access control
+  int width, height;              ///< of the picture, pixels
+  int column_offset, row_offset;  ///< address of its first pixel
+};
+
+/// `wired_mirrored`: memory column 0 is at the viewer's right; `filters_blue_first`: so the glass has them.
+[[nodiscard]] constexpr Addressing addressing(const Glass& glass, bool wired_mirrored, bool filters_blue_first,
+                                              const MipiOptions& options) {
+  const auto bits = [&]() -> unsigned {
+    switch (options.orientation) {
+      case Orientation::landscape:
+        return flip_columns | exchange;
+      case Orientation::portrait_flipped:
+        return flip_columns | flip_rows;
+      case Orientation::landscape_flipped:
+        return flip_rows | exchange;
+      case Orientation::portrait:
+        break;
+    }
+    return 0;
+  }();
+  const bool turned = (bits & exchange) != 0;
+  unsigned access = bits;
+  if (wired_mirrored) access ^= flip_columns;
+  // The viewer's left and right lie along the columns, or along the rows where the panel is turned.
+  if (options.mirrored) access ^= turned ? flip_rows : flip_columns;
+  const int column = (access & flip_columns) != 0 ? glass.memory_columns - glass.column - glass.width : glass.column;
+  const int row = (access & flip_rows) != 0 ? glass.memory_rows - glass.row - glass.height : glass.row;
+  if (filters_blue_first != options.swap_red_blue) access |= blue_first;
+  return {.memory_access = static_cast<std::uint8_t>(access),
+          .width = turned ? glass.height : glass.width,
+          .height = turned ? glass.width : glass.height,
+          .column_offset = turned ? row : column,
+          .row_offset = turned ? column : row};
+}
+
+/// Column or page address set: first and last address inclusive, high byte first.
+[[nodiscard]] constexpr std::array<std::uint8_t, 5> address_command(std::uint8_t command, int first, int end) {
+  const auto start = static_cast<unsigned>(first);
+  const auto last = static_cast<unsigned>(end - 1);
+  return {command, static_cast<std::uint8_t>(start >> 8), static_cast<std::uint8_t>(start),
+          static_cast<std::uint8_t>(last >> 8), static_cast<std::uint8_t>(last)};
+}
+
+/// Packs RGB565 words into 12 bits each, in place: two pixels in three bytes, RRRRGGGG BBBBRRRR GGGGBBBB, each channel
+/// its high four bits. pixels.size() is even. Bytes 3k … 3k + 2 take words 2k and 2k + 1, which lie at or behind them.
+inline std::span<const std::uint8_t> pack_444_in_place(std::span<std::uint16_t> pixels) {
+  auto* packed = reinterpret_cast<std::uint8_t*>(pixels.data());
+  const auto twelve_bits = [](std::uint32_t pixel) {
+    return (pixel >> 4 & 0xF00U) | (pixel >> 3 & 0xF0U) | (pixel >> 1 & 0xFU);
+  };
+  std::uint8_t* out = packed;
+  for (std::size_t i = 0; i + 1 < pixels.size(); i += 2) {
+    const std::uint32_t both = twelve_bits(pixels[i]) << 12 | twelve_bits(pixels[i + 1]);
+    *out++ = static_cast<std::uint8_t>(both >> 16);
+    *out++ = static_cast<std::uint8_t>(both >> 8);
+    *out++ = static_cast<std::uint8_t>(both);
+  }
+  return {packed, static_cast<std::size_t>(out - packed)};
+}
+
+}  // namespace mipi
+
+/// Driver of a TFT controller with the MIPI display command set, over a 4-wire serial bus. `Chip` is a table of facts:
+/// see `Ili9341Chip`. See `Panel` for what each function does.
+///
+/// Bands that follow one another from the top go out without a word between them: the chip's address runs on, so that
+/// handing over a band costs no commands.
+///
+/// Where the bus can read, init() asks for the chip's identity and says panel_absent if the answer is another; without
+/// a line back from the panel nobody can know.
+template <class Chip, Bus BusType, Clock ClockType, MipiOptions options = MipiOptions{}>
+class MipiPanel {
+ public:
+  static constexpr mipi::Addressing addressing =
+      mipi::addressing(Chip::glass, Chip::wired_mirrored, Chip::filters_blue_first, options);
+  static constexpr int width = addressing.width;
+  static constexpr int height = addressing.height;
+  static constexpr bool packs = options.colours == ColourFormat::rgb444;
+  static_assert(!packs || Chip::takes_rgb444, "this chip has no 12-bit pixels on its serial bus");
+  static_assert(!packs || width % 2 == 0, "12-bit pixels come in pairs, and a row must end with a pair");
+  static constexpr PixelOrder pixel_order = packs ? PixelOrder::native : PixelOrder::high_byte_first;
+  static constexpr ClockRating clock_rating = Chip::clock_rating;
+
+  MipiPanel(BusType& bus, ClockType& clock) : bus_(bus), clock_(clock) {}
+
+  Status init() {
+    state_ = State::off;
+    next_row_ = none;
+    if (clock_rating.verdict(bus_.clock_hz()) == ClockVerdict::too_high) return Status::bus_clock_too_high;
+    bus_.reset(true);
+    clock_.delay_us(mipi::reset_low_us);
+    bus_.reset(false);
+    if (bus_.busy()) return Status::bus_timeout;  // a stuck bus shows here, before the long pauses
+    delay_ms(clock_, mipi::settle_ms);
+    Status status = identify();
+    if (status == Status::ok) status = send_table();
+    if (status == Status::ok && packs) status = send(mipi::pixel_format_set, mipi::format_12_bits);
+    if (status == Status::ok && Chip::shows_complement != options.inverted) status = send(mipi::inversion_on);
+    if (status == Status::ok) status = send(mipi::memory_access_control, addressing.memory_access);
+    if (status == Status::ok) state_ = State::awake;
+    return status;
+  }
+
+  Status window(const Window& rectangle) {
+    if (const Status status = ready(); status != Status::ok) return status;
+    if (!rectangle.fits(width, height)) return Status::window_out_of_range;
+    next_row_ = none;
+    Status status = bus_.command(mipi::address_command(
+        mipi::column_address_set, rectangle.x0 + addressing.column_offset, rectangle.x1 + addressing.column_offset));
+    if (status == Status::ok) {
+      status = bus_.command(mipi::address_command(mipi::page_address_set, rectangle.y0 + addressing.row_offset,
+                                                  rectangle.y1 + addressing.row_offset));
+    }
+    return status == Status::ok ? send(mipi::memory_write) : status;
+  }
+
+  Status write(int y0, int y1, std::span<std::uint16_t> pixels) {
+    const Window rows{0, y0, width, y1};
+    if (!rows.fits(width, height)) return Status::window_out_of_range;
+    const std::size_t count = static_cast<std::size_t>(y1 - y0) * width;
+    if (pixels.size() < count) return Status::buffer_too_small;
+    if (y0 == next_row_) {
+      if (const Status status = ready(); status != Status::ok) return status;
+    } else {
+      const Status status = window({0, y0, width, height});  // down to the end, so that the next band may follow
+      if (status != Status::ok) return status;
+    }
+    next_row_ = y1 == height ? none : y1;
+    return start(pixels.first(count));
+  }
+
+  /// Sends a rectangle alone: `pixels` holds it row by row, an even number of words, and is the bus's until busy() has
+  /// returned false.
+  Status draw(const Window& rectangle, std::span<std::uint16_t> pixels) {
+    if (!rectangle.fits(width, height)) return Status::window_out_of_range;
+    const std::size_t count =
+        static_cast<std::size_t>(rectangle.x1 - rectangle.x0) * static_cast<std::size_t>(rectangle.y1 - rectangle.y0);
+    if (packs && count % 2 != 0) return Status::window_out_of_range;
+    if (pixels.size() < count) return Status::buffer_too_small;
+    if (const Status status = window(rectangle); status != Status::ok) return status;
+    return start(pixels.first(count));
+  }
+
+  [[nodiscard]] bool busy() const { return bus_.busy(); }
+
+  /// Shows every colour as its complement, or as it is again. init() goes back to what the options say.
+  Status invert(bool inverted) {
+    if (const Status status = ready(); status != Status::ok) return status;
+    next_row_ = none;
+    return send(inverted != Chip::shows_complement ? mipi::inversion_on : mipi::inversion_off);
+  }
+
+  Status sleep(bool asleep) {
+    if (state_ == State::off) return Status::panel_not_ready;
+    if (bus_.busy()) return Status::bus_busy;
+    if (asleep == (state_ == State::asleep)) return Status::ok;
+    next_row_ = none;
+    Status status = send(asleep ? mipi::display_off : mipi::sleep_out);
+    if (status == Status::ok && !asleep) delay_ms(clock_, mipi::settle_ms);
+    if (status == Status::ok) status = send(asleep ? mipi::sleep_in : mipi::display_on);
+    if (status != Status::ok) return status;
+    if (asleep) delay_ms(clock_, mipi::settle_ms);
+    state_ = asleep ? State::asleep : State::awake;
+    return Status::ok;
+  }
+
+ private:
+  enum class State : std::uint8_t { off, awake, asleep };
+  static constexpr int none = -1;
+
+  [[nodiscard]] Status ready() const {
+    if (state_ == State::off) return Status::panel_not_ready;
+    if (state_ == State::asleep) return Status::panel_asleep;
+    return bus_.busy() ? Status::bus_busy : Status::ok;
+  }
+
+  Status identify() {
+    if constexpr (ReadableBus<BusType>) {
+      std::array<std::uint8_t, Chip::identity.size()> answer{};
+      if (const Status status = bus_.read(Chip::identity_command, answer); status != Status::ok) return status;
+      if (!std::ranges::equal(answer, Chip::identity)) return Status::panel_absent;
+    }
+    return Status::ok;
+  }
+
+  Status send_table() {
+    return for_each_step(Chip::init_table, [this](const CommandStep& step) {
+      const Status sent = bus_.command(step.bytes);
+      if (sent == Status::ok && step.delay_ms != 0) delay_ms(clock_, step.delay_ms);
+      return sent;
+    });
+  }
+
+  Status start(std::span<std::uint16_t> pixels) {
+    if constexpr (packs) {
+      return bus_.pixels(mipi::pack_444_in_place(pixels));
+    } else {
+      return bus_.pixels({reinterpret_cast<const std::uint8_t*>(pixels.data()), pixels.size() * 2});
+    }
+  }
+
+  template <typename... Bytes>
+  Status send(Bytes... bytes) {
+    return bus_.command(std::array<std::uint8_t, sizeof...(Bytes)>{bytes...});
+  }
+
+  BusType& bus_;
+  ClockType& clock_;
+  int next_row_ = none;  ///< where the chip's address stands after the last band; none: a window must be set first
+  State state_ = State::off;
+};
+
+}  // namespace spanline::hal
