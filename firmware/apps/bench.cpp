@@ -37,12 +37,15 @@ void print(const char* scene, const char* visibility, int depth, unsigned band, 
   board::write("\n");
 }
 
+template <class Traits>
+constexpr bool spanning = std::is_same_v<typename Traits::Visibility, Spanning>;
+
 /// Draws two frames and measures the second. `submit` starts the frame and adds what it shows.
 template <class Traits, class Submit>
 void measure(const char* scene, Capacity capacity, unsigned band, Submit submit) {
   capacity.band_lines = static_cast<std::uint16_t>(band == 0 ? capacity.height : band);
   capacity.colour_bands = band == 0 ? 1 : 2;
-  capacity.active = band == 0 ? 0 : capacity.active;
+  if (!spanning<Traits> && band == 0) capacity.active = 0;
   Renderer<Traits> renderer(capacity, memory);
   std::uint32_t instructions = 0;
   scenes::Crc32 crc;
@@ -63,23 +66,28 @@ void measure(const char* scene, Capacity capacity, unsigned band, Submit submit)
     if (!renderer.end_bands().ok()) board::write("bench: a pool is full\n");
     board::counter_report();
   }
-  print(scene, band == 0 ? "zbuffer" : "scanline-z", Traits::Depth::bits, band, instructions, crc.value(),
-        renderer.peaks().total());
+  print(scene,
+        spanning<Traits> ? "span"
+        : band == 0      ? "zbuffer"
+                         : "scanline-z",
+        Traits::Depth::bits, band, instructions, crc.value(), renderer.peaks().total());
 }
 
-template <class Depth>
+template <class Depth, class Visibility>
 void soups(unsigned band) {
-  using Traits = FlatTraits<Rgb565, Depth>;
+  using Traits = FlatTraits<Rgb565, Depth, false, Visibility>;
   const auto soup = [&](const char* name, std::uint32_t triangles, auto make) {
     const scenes::ScreenSoup target{std::span(soup_vertices).first(3 * triangles),
                                     std::span(soup_colours).first(triangles)};
     make(target);
-    measure<Traits>(name, {.polygons = triangles, .active = triangles}, band, [&](auto& renderer) {
-      FrameSettings settings;
-      settings.cull = Cull::none;
-      (void)renderer.begin(settings);
-      if (!renderer.add_screen(target.vertices, target.colours).ok()) board::write("bench: a pool is full\n");
-    });
+    measure<Traits>(name, {.polygons = triangles, .active = std::min<std::uint32_t>(triangles, 600)}, band,
+                    [&](auto& renderer) {
+                      FrameSettings settings;
+                      settings.cull = Cull::none;
+                      (void)renderer.begin(settings);
+                      if (!renderer.add_screen(target.vertices, target.colours).ok())
+                        board::write("bench: a pool is full\n");
+                    });
   };
   const auto right_triangles = [](std::uint32_t leg, std::uint32_t count) {
     return [=](scenes::ScreenSoup target) { scenes::make_right_triangles(leg, count, Depth::bits, target); };
@@ -98,18 +106,18 @@ void model(const char* name, ShadingMode shading, unsigned band) {
   const scenes::ModelView view = scenes::model_view(mesh, Angle::from_degrees(30), 240, shading);
   measure<Traits>(
       name,
-      {.vertices = vertices, .shades = shading == ShadingMode::gouraud ? vertices : 0, .polygons = 1600, .active = 64},
+      {.vertices = vertices, .shades = shading == ShadingMode::gouraud ? vertices : 0, .polygons = 1600, .active = 128},
       band, [&](auto& renderer) {
         (void)renderer.begin(view.settings);
         if (!renderer.add(mesh, view.transform, view.material).ok()) board::write("bench: a pool is full\n");
       });
 }
 
-template <class Depth>
+template <class Depth, class Visibility = ZBuffer>
 void all(unsigned band) {
-  soups<Depth>(band);
-  model<FlatTraits<Rgb565, Depth>>("S4", ShadingMode::flat, band);
-  model<FullTraits<Rgb565, Depth>>("S5", ShadingMode::gouraud, band);
+  soups<Depth, Visibility>(band);
+  model<FlatTraits<Rgb565, Depth, false, Visibility>>("S4", ShadingMode::flat, band);
+  model<FullTraits<Rgb565, Depth, false, Visibility>>("S5", ShadingMode::gouraud, band);
 }
 
 }  // namespace
@@ -118,5 +126,7 @@ int main() {
   all<Depth16<>>(0);
   all<Depth16<>>(16);
   all<Depth24<>>(0);
+  all<Depth24<>, Spanning>(1);
+  all<Depth24<>, Spanning>(16);
   return 0;
 }

@@ -15,7 +15,8 @@ struct Capacity {
   std::uint32_t shades = 0;       ///< vertices of instances with Gouraud shading, and what clipping adds
   std::uint32_t polygons = 0;     ///< triangles that face the eye
   std::uint32_t fans = 0;    ///< of these, the pieces of clipped triangles and of polygons with more than three corners
-  std::uint32_t active = 0;  ///< polygons that reach across a band's lower edge; none with a single band
+  std::uint32_t active = 0;  ///< z-buffers: polygons that reach across a band's lower edge; none with a single band.
+                             ///< Spanning: polygons awake on a row
 
   [[nodiscard]] constexpr std::uint32_t bands() const {
     return band_lines == 0 ? 0 : (height + band_lines - 1u) / band_lines;

@@ -12,8 +12,6 @@
 #include "spanline/geometry/polygon_assembly.hpp"
 #include "spanline/model/camera.hpp"
 #include "spanline/shade/lighting.hpp"
-#include "spanline/visibility/active_need.hpp"
-#include "spanline/visibility/depth_buffer.hpp"
 
 namespace spanline {
 
@@ -30,7 +28,7 @@ template <class Pixel, class DepthWord>
 struct Band {
   std::int32_t y0, y1;               ///< lines [y0, y1) of the picture
   std::span<Pixel> pixels;           ///< line by line, width · (y1 − y0)
-  std::span<const DepthWord> depth;  ///< parallel to the pixels
+  std::span<const DepthWord> depth;  ///< parallel to the pixels; empty where the algorithm keeps none
   unsigned buffer;                   ///< which of the colour bands holds it: 0 or 1
 };
 
@@ -69,9 +67,9 @@ class Renderer {
 
   /// Divides `memory` into pools. `status()` tells whether it was enough and the capacity valid; if not, the renderer
   /// refuses every frame.
-  Renderer(const Capacity& capacity, std::span<std::byte> memory) : capacity_(capacity), visibility_({}) {
-    const bool links_fit = capacity.polygons < no_link && capacity.fans < fan_flag && capacity.active < no_link &&
-                           capacity.instances < no_link;
+  Renderer(const Capacity& capacity, std::span<std::byte> memory) : capacity_(capacity) {
+    const bool links_fit = capacity.polygons < no_link && capacity.fans < fan_flag && capacity.instances < no_link &&
+                           Visibility::takes(capacity);
     if (!capacity.valid() || !links_fit) {
       status_ = {Fault::bad_configuration, Pool::none, 0};
       return;
@@ -88,8 +86,8 @@ class Renderer {
     table_.fans = pools_.fans;
     table_.groups = pools_.groups;
     table_.buckets = pools_.buckets;
-    visibility_ = Visibility(pools_.active);
-    band_of_row_ = BandOfRow(capacity.band_lines);
+    visibility_ = Visibility(pools_.visibility);
+    bucket_of_row_ = BandOfRow(Visibility::bucket_lines(capacity));
   }
 
   [[nodiscard]] Status status() const { return status_; }
@@ -104,6 +102,7 @@ class Renderer {
     if (!status_.ok()) return status_;
     if (!settings_valid(settings.camera)) return {Fault::bad_settings, Pool::none, 0};
     settings_ = settings;
+    background_ = Format::from(settings.background);
     view_ = {settings.camera, viewport(), Depth::bits, Depth::nearest, Depth::farthest};
     ready_ = true;
     return {};
@@ -162,7 +161,7 @@ class Renderer {
     shading.screen_colours = colours.data();
     shading.first_id = first_id;
     shading.shader = shader;
-    PolygonAssembly assembly(table_, band_of_row_, viewport(), settings_.cull);
+    PolygonAssembly assembly(table_, bucket_of_row_, viewport(), settings_.cull);
     assembly.run_screen(vertices);
     return finish(assembly, 0, 0);
   }
@@ -188,18 +187,12 @@ class Renderer {
   /// The steps of `draw`, for programs with a loop of their own (benchmarks, two cores): start, then for each band in
   /// order clear and draw, then end.
   void start_bands() { visibility_.begin_frame(); }
-  void clear_band(std::uint32_t band) {
-    const BandView view = band_view(band);
-    std::fill(view.pixels.begin(), view.pixels.end(), Format::from(settings_.background));
-    std::fill_n(pools_.depth.begin(), view.depth.size(), Depth::clear);
-  }
+  void clear_band(std::uint32_t band) { Visibility::clear(target(band_view(band))); }
   template <class Sink>
   BandView draw_band(std::uint32_t band, Sink& sink) {
     const BandView view = band_view(band);
-    typename Visibility::Target target{pools_.depth.data(), view.pixels.data(), capacity_.width,
-                                       view.y0 + row_bias,  view.y1 + row_bias, &statistics_.visibility};
     visibility_.draw_band(table_, std::span<const ShadingGroup>(pools_.shading), static_cast<std::int32_t>(band),
-                          viewport(), target, [&](std::uint32_t id) {
+                          viewport(), target(view), [&](std::uint32_t id) {
                             if constexpr (requires { sink.covered(id); }) sink.covered(id);
                           });
     return view;
@@ -207,7 +200,7 @@ class Renderer {
   Status end_bands() {
     note_peaks();
     if (!visibility_.overflowed()) return {};
-    return {Fault::pool_full, Pool::active, active_polygons_needed(table_, viewport(), capacity_.band_lines)};
+    return {Fault::pool_full, Pool::active, Visibility::wanted(table_, viewport(), capacity_.band_lines)};
   }
 
   /// The memory of colour band 0 or 1, for present loops that hand it to a display; empty where the band does not
@@ -219,8 +212,7 @@ class Renderer {
   [[nodiscard]] const Capacity& capacity() const { return capacity_; }
 
  private:
-  using Visibility = DepthBuffer<Depth, Pixel, Shaders, Traits::statistics>;
-  using ActivePool = typename Visibility::Entry;
+  using Visibility = typename Traits::Visibility::template Algorithm<Depth, Pixel, Shaders, Traits::statistics>;
   static constexpr bool has_ramps = Shaders::template index_of<GouraudShader<Format>> < Shaders::count;
   static constexpr bool has_shades =
       has_ramps || Shaders::template index_of<GouraudColourShader<Format>> < Shaders::count;
@@ -235,7 +227,7 @@ class Renderer {
     std::span<PolygonReference> references;
     std::span<FanTriangle> fans;
     std::span<Link> buckets;
-    std::span<ActivePool> active;
+    typename Visibility::Memory visibility;
     std::span<DepthWord> depth;
     std::span<Pixel> colour[2];
 
@@ -248,9 +240,10 @@ class Renderer {
       shades = arena.take<std::uint32_t>(has_shades ? c.shades : 0);
       references = arena.take<PolygonReference>(c.polygons);
       fans = arena.take<FanTriangle>(c.fans);
-      buckets = arena.take<Link>(c.bands());
-      active = arena.take<ActivePool>(c.active);
-      depth = arena.take<DepthWord>(band_pixels);
+      const std::uint32_t bucket_lines = std::max<std::uint32_t>(1, Visibility::bucket_lines(c));
+      buckets = arena.take<Link>((c.height + bucket_lines - 1) / bucket_lines);
+      visibility.take(arena, c);
+      depth = arena.take<DepthWord>(Visibility::keeps_depth ? band_pixels : 0);
       for (unsigned i = 0; i < c.colour_bands && i < 2; ++i) colour[i] = arena.take<Pixel>(band_pixels);
     }
   };
@@ -279,7 +272,12 @@ class Renderer {
     const std::int32_t y1 = std::min<std::int32_t>(y0 + capacity_.band_lines, capacity_.height);
     const std::size_t count = std::size_t{capacity_.width} * static_cast<std::size_t>(y1 - y0);
     const unsigned buffer = buffer_of(band);
-    return {y0, y1, pools_.colour[buffer].first(count), pools_.depth.first(count), buffer};
+    return {y0, y1, pools_.colour[buffer].first(count), pools_.depth.first(Visibility::keeps_depth ? count : 0),
+            buffer};
+  }
+  [[nodiscard]] typename Visibility::Target target(const BandView& view) {
+    return {pools_.depth.data(), view.pixels.data(), capacity_.width,        view.y0 + row_bias,
+            view.y1 + row_bias,  background_,        &statistics_.visibility};
   }
 
   /// Counts what does not fit, and says what would.
@@ -320,7 +318,7 @@ class Renderer {
 
   Status assemble(const Mesh& mesh, const InstanceGeometry& geometry, const PolygonGroup& group, VertexStore& store) {
     geometry.transform_vertices(store.vertices.data());
-    PolygonAssembly assembly(table_, band_of_row_, viewport(), settings_.cull);
+    PolygonAssembly assembly(table_, bucket_of_row_, viewport(), settings_.cull);
     const Clipper clipper = geometry.clipper(shade_kind(mesh));
     const std::size_t room =
         store.shades.empty() ? store.vertices.size() : std::min(store.vertices.size(), store.shades.size());
@@ -355,7 +353,7 @@ class Renderer {
     peaks_.shades = used_.shades * sizeof(std::uint32_t);
     peaks_.polygons = table_.polygon_count * sizeof(PolygonReference);
     peaks_.fans = table_.fan_count * sizeof(FanTriangle);
-    peaks_.active = visibility_.peak() * sizeof(ActivePool);
+    peaks_.active = Visibility::Memory::bytes(visibility_.peak());
     peaks_.buckets = pools_.buckets.size_bytes();
     peaks_.colour_bands = pools_.colour[0].size_bytes() + pools_.colour[1].size_bytes();
     peaks_.depth_band = pools_.depth.size_bytes();
@@ -366,10 +364,11 @@ class Renderer {
   bool ready_ = false;
   Pools pools_{};
   PolygonTable table_{};
-  BandOfRow band_of_row_{};
+  BandOfRow bucket_of_row_{};
   FrameSettings settings_{};
+  Pixel background_{};
   FrameView view_{};
-  Visibility visibility_;
+  Visibility visibility_{};
   Used used_{};
   Statistics statistics_{};
   PoolPeaks peaks_{};

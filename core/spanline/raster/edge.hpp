@@ -57,6 +57,11 @@ struct Edge {
     }
   }
 
+  /// `x` on the row that lies `rows` below the current one.
+  [[nodiscard]] std::int32_t x_below(std::int32_t rows) const {
+    return x + step * rows + (error + height + remainder * rows) / height;
+  }
+
  private:
   /// `rest` sixteenths·dy past pixel `x`, in [−1, 32·dy).
   void place(std::int32_t rest) {

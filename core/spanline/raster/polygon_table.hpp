@@ -72,6 +72,29 @@ class PolygonTable {
     return group;
   }
 
+  /// The group of any polygon.
+  [[nodiscard]] Link find_group(Link polygon) const {
+    if (group_count == 1) return 0;
+    Link low = 0, high = group_count;
+    while (high - low > 1) {
+      const Link middle = static_cast<Link>((low + high) / 2);
+      (groups[middle].first <= polygon ? low : high) = middle;
+    }
+    return low;
+  }
+
+  /// Puts a polygon into the bucket of a row to come, in no order, with buckets of one line.
+  void defer(std::int32_t row, Link polygon) {
+    Link& tail = buckets[static_cast<std::size_t>(row)];
+    if (tail == no_link) {
+      references[polygon].next = polygon;
+      tail = polygon;
+    } else {
+      references[polygon].next = references[tail].next;
+      references[tail].next = polygon;
+    }
+  }
+
   [[nodiscard]] PolygonCorners corners(const PolygonGroup& group, Link polygon) const {
     const Link source = references[polygon].source;
     const ScreenVertex* v = group.vertices;

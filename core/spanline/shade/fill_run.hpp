@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "spanline/raster/span.hpp"
+#include "spanline/shade/fill_constant.hpp"
 
 namespace spanline {
 
@@ -26,40 +27,6 @@ concept SurfaceInBlocks = requires(const S& surface, std::int32_t column) {
 };
 
 namespace fill_detail {
-
-/// Whole words where two pixels make one. A function of its own: its loop wants registers, and spans are many.
-template <class Pixel>
-[[gnu::noinline]] void fill_constant(Pixel* pixels, std::uint32_t count, Pixel pixel) {
-  if constexpr (sizeof(Pixel) == 2) {
-    using Word [[gnu::may_alias]] = std::uint32_t;
-    if ((reinterpret_cast<std::uintptr_t>(pixels) & 2) != 0) {
-      if (count == 0) return;
-      *pixels++ = pixel;
-      --count;
-    }
-    auto* words = reinterpret_cast<Word*>(pixels);
-    const std::uint32_t both = pixel * 0x10001u;
-    for (; count >= 16; count -= 16) {
-#pragma GCC unroll 8
-      for (std::size_t i = 0; i < 8; ++i) words[i] = both;
-      words += 8;
-    }
-    if (count & 8) {
-#pragma GCC unroll 4
-      for (std::size_t i = 0; i < 4; ++i) words[i] = both;
-      words += 4;
-    }
-    if (count & 4) {
-      words[0] = both;
-      words[1] = both;
-      words += 2;
-    }
-    if (count & 2) *words++ = both;
-    if (count & 1) *reinterpret_cast<Pixel*>(words) = pixel;
-  } else {
-    for (; count != 0; --count) *pixels++ = pixel;
-  }
-}
 
 template <PixelSource Source, class Pixel>
 [[gnu::always_inline]] inline void fill_stepped(Pixel* pixels, std::uint32_t count, Source& source) {
@@ -98,17 +65,17 @@ template <RunBlocks Blocks, class Pixel>
 }  // namespace fill_detail
 
 /// Fills a run of pixels that a polygon owns, without a depth test: what span algorithms do. Input: the surface on the
-/// run's row; the run's first column, as the surface counts columns; its length, which may be 0; where its first pixel
+/// run's row; the run's first column, as the surface counts columns; its length ≥ 1; where its first pixel
 /// lies in memory.
 template <class Surface, class Pixel>
 [[gnu::always_inline]] inline void fill_run(const Surface& surface, std::int32_t column, std::uint32_t count,
                                             Pixel* pixels) {
   if constexpr (SurfaceInBlocks<Surface>) {
-    if (count != 0) fill_detail::fill_blocks(pixels, count, surface.blocks(column));
+    fill_detail::fill_blocks(pixels, count, surface.blocks(column));
   } else {
     const auto source = surface.source(column);
     if constexpr (decltype(source)::constant)
-      fill_detail::fill_constant(pixels, count, source.get());
+      fill_constant(source.get(), count, pixels);
     else
       fill_detail::fill_stepped_run(pixels, count, source);
   }

@@ -5,6 +5,8 @@
 #include <new>
 #include <type_traits>
 
+#include "spanline/shade/fill_run.hpp"
+
 namespace spanline {
 
 /// The shaders that a renderer links. A polygon's surface is stored in the room of the largest; with one shader the
@@ -22,6 +24,17 @@ struct ShaderList {
       return *std::launder(reinterpret_cast<S*>(bytes));
     }
   };
+
+  /// A whole run of visible pixels, for algorithms that know spans: `count` pixels of a surface from `column` on, or of
+  /// one value.
+  template <class S, class Pixel>
+  static void fill(const S& surface, std::int32_t column, std::uint32_t count, Pixel* pixels) {
+    fill_run(surface, column, count, pixels);
+  }
+  template <class Pixel>
+  [[gnu::noinline]] static void fill_apart(Pixel value, std::uint32_t count, Pixel* pixels) {
+    fill_constant(value, count, pixels);
+  }
 
   /// Place of a shader in the list; `count` if it is not there.
   template <class Shader>

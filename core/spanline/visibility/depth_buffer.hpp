@@ -1,9 +1,12 @@
 #pragma once
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
 #include "spanline/raster/active_triangle.hpp"
 #include "spanline/raster/polygon_table.hpp"
+#include "spanline/visibility/active_need.hpp"
 #include "spanline/visibility/triangle_rows.hpp"
 
 namespace spanline {
@@ -31,8 +34,34 @@ class DepthBuffer {
   using Target = BandTarget<Depth, Pixel>;
   using Rows = TriangleRows<Depth, Pixel, Counting>;
 
-  /// `pool` holds the polygons that cross a band's lower edge; none is needed where there is one band.
-  explicit DepthBuffer(std::span<Entry> pool) : pool_(pool) {}
+  static constexpr bool keeps_depth = true;
+
+  /// The memory of the algorithm, cut off an arena: polygons that cross a band's lower edge; none are needed where
+  /// there is one band.
+  struct Memory {
+    std::span<Entry> active;
+
+    template <class Arena, class Capacity>
+    constexpr void take(Arena& arena, const Capacity& capacity) {
+      active = arena.template take<Entry>(capacity.active);
+    }
+    /// Bytes of `count` active polygons.
+    [[nodiscard]] static constexpr std::size_t bytes(std::size_t count) { return count * sizeof(Entry); }
+  };
+
+  /// Whether links can number that many active polygons.
+  template <class Capacity>
+  [[nodiscard]] static constexpr bool takes(const Capacity& capacity) {
+    return capacity.active < no_link;
+  }
+  /// The polygon table's buckets hold a band each.
+  template <class Capacity>
+  [[nodiscard]] static constexpr std::uint32_t bucket_lines(const Capacity& capacity) {
+    return capacity.band_lines;
+  }
+
+  DepthBuffer() = default;
+  explicit DepthBuffer(const Memory& memory) : pool_(memory.active) {}
 
   /// Before the first band of a frame.
   void begin_frame() {
@@ -40,6 +69,13 @@ class DepthBuffer {
     used_ = peak_ = 0;
     active_ = no_link;
     overflowed_ = false;
+  }
+
+  /// Fills a band's pixels with the background and its depths with what every polygon beats.
+  static void clear(const Target& target) {
+    const std::ptrdiff_t pixels = std::ptrdiff_t{target.width} * (target.end_row - target.first_row);
+    std::fill(target.pixels, target.pixels + pixels, target.background);
+    std::fill(target.depth, target.depth + pixels, Depth::clear);
   }
 
   /// Draws one band. `shading` is parallel to the table's groups; `covered(id)` is told of each polygon that
@@ -77,6 +113,10 @@ class DepthBuffer {
   [[nodiscard]] bool overflowed() const { return overflowed_; }
   /// Entries in use at most.
   [[nodiscard]] Link peak() const { return peak_; }
+  /// How many entries a pool that ran full would have taken.
+  [[nodiscard]] static std::uint32_t wanted(const PolygonTable& table, Viewport viewport, std::int32_t band_lines) {
+    return active_polygons_needed(table, viewport, band_lines);
+  }
 
  private:
   /// What the polygons of a band have in common, the group of the current one, and room to set it up.

@@ -3,27 +3,10 @@
 #include <type_traits>
 
 #include "spanline/raster/active_triangle.hpp"
+#include "spanline/visibility/band_target.hpp"
 #include "spanline/visibility/depth_run.hpp"
 
 namespace spanline {
-
-/// Counters of what a visibility algorithm did (--stats).
-struct VisibilityCounters {
-  std::uint64_t spans = 0;        ///< runs of pixels handed to shading or to the depth test
-  std::uint64_t pixels = 0;       ///< pixels written
-  std::uint64_t depth_tests = 0;  ///< depth comparisons
-};
-
-/// The part of the picture that is being drawn: rows [first_row, end_row), biased, of a line-major buffer.
-template <class Depth, class Pixel>
-struct BandTarget {
-  typename Depth::Word* depth;
-  Pixel* pixels;
-  std::int32_t width;
-  std::int32_t first_row;
-  std::int32_t end_row;
-  VisibilityCounters* counters = nullptr;  ///< for Counting only
-};
 
 /// Where a row of a band lies in both buffers. Where their words have one size, one address and a constant distance
 /// serve for both: a register less in the loops.

@@ -11,13 +11,13 @@
 namespace spanline::test {
 namespace {
 
-/// Fills every run of up to 70 pixels at every alignment, and compares with `expected(column)`.
+/// Fills every run of up to 101 pixels at every alignment, and compares with `expected(column)`.
 template <class Pixel, class Surface, class Expected>
 void check_every_run(const Surface& surface, Expected expected) {
   constexpr Pixel untouched = 0xabcd;
-  for (std::uint32_t count = 0; count <= 70; ++count) {
+  for (std::uint32_t count = 1; count <= 101; ++count) {
     for (std::size_t first = 0; first < 6; ++first) {
-      std::vector<Pixel> line(96, untouched);
+      std::vector<Pixel> line(120, untouched);
       fill_run(surface, static_cast<std::int32_t>(first), count, line.data() + first);
       for (std::size_t x = 0; x < line.size(); ++x) {
         const bool inside = x >= first && x < first + count;

@@ -1,0 +1,114 @@
+#include "spanline/visibility/span/active_edge_table.hpp"
+
+namespace spanline {
+
+void ActiveEdgeTable::begin_frame(std::span<AwakeKey> keys, std::byte* records, std::size_t capacity,
+                                  std::size_t stride) {
+  current_ = keys.data();
+  next_ = keys.data() + capacity + 2;
+  for (AwakeKey* array : {current_, next_}) {
+    array[0] = 0;  // stops the insertion of the leftmost key
+    array[1] = array[capacity + 1] = awake_key::end;
+  }
+  entering_ = next_ + capacity + 1;
+  records_ = records;
+  capacity_ = capacity;
+  stride_ = stride;
+  free_ = nullptr;
+  untouched_ = static_cast<std::uint32_t>(capacity);
+  awake_ = peak_ = 0;
+}
+
+void ActiveEdgeTable::reap(std::int32_t row) {
+  AwakeKey* write = current_ + 1;
+  for (const AwakeKey* read = current_ + 1; *read != awake_key::end; ++read) {
+    AwakePolygon& polygon = at(*read);
+    if (polygon.end_row <= row)
+      release(polygon);
+    else
+      *write++ = *read;
+  }
+  *write = awake_key::end;
+}
+
+AwakePolygon* ActiveEdgeTable::evict(std::uint32_t nearest, Link number) {
+  AwakeKey* farthest = nullptr;
+  const auto look = [&](AwakeKey* key) {
+    const AwakePolygon& polygon = at(*key);
+    if (polygon.nearest < nearest || (polygon.nearest == nearest && polygon.number < number)) return;
+    nearest = polygon.nearest;
+    number = polygon.number;
+    farthest = key;
+  };
+  for (AwakeKey* key = current_ + 1; *key != awake_key::end; ++key) look(key);
+  const AwakeKey* const first_entering = entering_;
+  for (AwakeKey* key = entering_; *key != awake_key::end; ++key) look(key);
+  if (farthest == nullptr) return nullptr;
+  AwakePolygon& polygon = at(*farthest);
+  if (farthest >= first_entering && farthest < next_ + capacity_ + 1) {
+    for (; farthest != entering_; --farthest) farthest[0] = farthest[-1];
+    ++entering_;
+  } else {
+    do farthest[0] = farthest[1];
+    while (*farthest++ != awake_key::end);
+  }
+  return &polygon;
+}
+
+std::uint32_t ActiveEdgeTable::step(const PolygonSource& source, std::int32_t row) {
+  std::uint32_t repairs = 0;
+  std::byte* const records = records_;
+  const AwakeKey* read = current_ + 1;
+  AwakeKey* write = next_ + 1;
+  const AwakeKey* entering = entering_;
+  AwakeKey waiting = *entering;
+  const auto insert = [&](AwakeKey key) __attribute__((always_inline)) {
+    AwakeKey* place = write++;
+    while (__builtin_expect(place[-1] > key, false)) {
+      place[0] = place[-1];
+      --place;
+      ++repairs;
+    }
+    *place = key;
+  };
+  for (;;) {
+    const AwakeKey old_key = *read++;
+    if (old_key == awake_key::end) break;
+    const std::size_t offset = awake_key::offset(old_key);
+    AwakePolygon& polygon = *reinterpret_cast<AwakePolygon*>(records + offset);
+    std::int32_t column;
+    if (__builtin_expect(polygon.turn_row == row, false)) {
+      if (!turn(polygon, source, row)) {
+        release(polygon);
+        continue;
+      }
+      column = polygon.fraction_bits != 0 ? place_columns(polygon) : cut_columns(polygon, source.viewport.width);
+    } else if (__builtin_expect(polygon.fraction_bits != 0, true)) {
+      polygon.fixed.left += polygon.fixed.left_step;
+      polygon.fixed.right += polygon.fixed.right_step;
+      column = place_columns(polygon);
+    } else {
+      polygon.large.left.next_row();
+      polygon.large.right.next_row();
+      column = cut_columns(polygon, source.viewport.width);
+    }
+    const AwakeKey key = awake_key::make(column, offset);
+    while (waiting < key) {
+      insert(waiting);
+      waiting = *++entering;
+    }
+    insert(key);
+  }
+  while (waiting != awake_key::end) {
+    insert(waiting);
+    waiting = *++entering;
+  }
+  *write = awake_key::end;
+  AwakeKey* const written = next_;
+  next_ = current_;
+  current_ = written;
+  entering_ = next_ + capacity_ + 1;
+  return repairs;
+}
+
+}  // namespace spanline

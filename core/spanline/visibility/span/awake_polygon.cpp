@@ -1,0 +1,131 @@
+#include "spanline/visibility/span/awake_polygon.hpp"
+
+namespace spanline {
+namespace {
+
+/// Rows of a triangle, biased.
+struct Rows {
+  std::int32_t first, bend, end;
+};
+
+Rows rows_of(const Triangle& t) {
+  const std::int32_t row1 = row_at(t.ay + t.dy1), row2 = row_at(t.ay + t.dy2);
+  return t.dy1 < t.dy2 ? Rows{row_at(t.ay), row1, row2} : Rows{row_at(t.ay), row2, row1};
+}
+
+/// Brings fixed edges from the polygon's first row down to `row`.
+void move_down(FixedEdges& edges, bool right_bends, const Rows& rows, std::int32_t row) {
+  const std::uint32_t down = word(row - rows.first);
+  edges.left += edges.left_step * down;
+  edges.right += edges.right_step * down;
+  if (row < rows.bend) return;
+  const std::uint32_t at_bend = edges.bend + edges.bend_step * word(row - rows.bend);
+  (right_bends ? edges.right : edges.left) = at_bend;
+  (right_bends ? edges.right_step : edges.left_step) = edges.bend_step;
+}
+
+Edge edge_between(const ScreenVertex& from, const ScreenVertex& to, std::int32_t row) {
+  Edge edge = Edge::at_row(from.x, from.y, to.x, to.y, row);
+  edge.x -= row_bias;
+  return edge;
+}
+
+/// The third edge of a large polygon, on biased `row`.
+void place_third_edge(AwakePolygon& polygon, const Triangle& t, std::int32_t row) {
+  if (polygon.right_bends)
+    polygon.large.right = edge_between(*t.b, *t.c, row);
+  else
+    polygon.large.left = edge_between(*t.c, *t.b, row);
+}
+
+void place_large(AwakePolygon& polygon, const Triangle& t, const Rows& rows, std::int32_t row) {
+  polygon.fraction_bits = 0;
+  polygon.origin = 0;
+  const bool bent = row >= rows.bend;
+  if (!bent || polygon.right_bends) polygon.large.left = edge_between(*t.a, *t.c, row);
+  if (!bent || !polygon.right_bends) polygon.large.right = edge_between(*t.a, *t.b, row);
+  if (bent) place_third_edge(polygon, t, row);
+}
+
+[[gnu::noinline]] Rows place_wide(AwakePolygon& polygon, Triangle& t, bool scissored, std::int32_t row) {
+  if (t.wide_doubled_area() < 0) t.flip();
+  const Rows rows = rows_of(t);
+  polygon.right_bends = t.dy1 < t.dy2;
+  if (scissored || !medium_triangle::fits(t)) {
+    place_large(polygon, t, rows, row);
+    return rows;
+  }
+  const std::int32_t origin = medium_triangle::origin_of(t);
+  polygon.fraction_bits = medium_triangle::fraction_bits;
+  polygon.origin = static_cast<std::int16_t>(origin - row_bias);
+  medium_triangle::set_edges(t, origin, 16 * rows.first + 8 - t.ay,
+                             16 * rows.bend + 8 - t.ay - (polygon.right_bends ? t.dy1 : t.dy2), polygon.fixed);
+  move_down(polygon.fixed, polygon.right_bends, rows, row);
+  return rows;
+}
+
+}  // namespace
+
+std::int32_t wake(AwakePolygon& polygon, const PolygonSource& source, Link number, std::int32_t row,
+                  BoundMargin margin) {
+  const Link group_number = source.table.find_group(number);
+  const PolygonGroup& group = source.table.groups[group_number];
+  const auto [p, q, r] = source.table.corners(group, number).corner;
+  polygon.number = number;
+  polygon.group = group_number;
+  polygon.has_plane = polygon.has_surface = false;
+  polygon.retry_row = 0;
+  const std::uint32_t depth_p = p->depth_word, depth_q = q->depth_word, depth_r = r->depth_word;
+  const std::uint32_t nearest = depth_p < depth_q ? depth_p : depth_q, farthest = depth_p < depth_q ? depth_q : depth_p;
+  // Outcodes in the low bits make no difference: the margins hold a whole depth unit.
+  const std::uint32_t low = depth_r < nearest ? depth_r : nearest, high = depth_r > farthest ? depth_r : farthest;
+  polygon.nearest = low > margin.below ? low - margin.below : 0;
+  polygon.farthest = high < ~margin.above ? high + margin.above : ~std::uint32_t{0};
+
+  Triangle t = Triangle::from(p, q, r);
+  const bool scissored = group.scissored && leaves_viewport(t);
+  const std::int32_t biased_row = row + row_bias;
+  Rows rows;
+  std::int32_t area;
+  if (!scissored && is_small(t, area)) {
+    if (area < 0) t.flip();
+    rows = rows_of(t);
+    polygon.right_bends = t.dy1 < t.dy2;
+    polygon.fraction_bits = small_triangle::fraction_bits;
+    polygon.origin = static_cast<std::int16_t>((t.ax >> 4) - row_bias - small_triangle::margin);
+    small_triangle::set_edges(t, 16 * rows.first + 8 - t.ay,
+                              16 * rows.bend + 8 - t.ay - (polygon.right_bends ? t.dy1 : t.dy2), polygon.fixed);
+    if (biased_row != rows.first || rows.first == rows.bend)
+      move_down(polygon.fixed, polygon.right_bends, rows, biased_row);
+  } else {
+    Triangle kept = t;  // a copy, so that the triangle itself stays in registers on the usual way
+    rows = place_wide(polygon, kept, scissored, biased_row);
+  }
+  const std::int32_t end = rows.end - row_bias;
+  polygon.end_row = static_cast<std::uint16_t>(end < source.viewport.height ? end : source.viewport.height);
+  const std::int32_t bend = rows.bend - row_bias;
+  polygon.turn_row = row < bend && bend < polygon.end_row ? static_cast<std::uint16_t>(bend) : polygon.end_row;
+  return polygon.fraction_bits != 0 ? place_columns(polygon) : cut_columns(polygon, source.viewport.width);
+}
+
+bool turn(AwakePolygon& polygon, const PolygonSource& source, std::int32_t row) {
+  if (row >= polygon.end_row) return false;
+  polygon.turn_row = polygon.end_row;
+  if (polygon.fraction_bits != 0) {
+    FixedEdges& edges = polygon.fixed;
+    edges.left += edges.left_step;
+    edges.right += edges.right_step;
+    (polygon.right_bends ? edges.right : edges.left) = edges.bend;
+    (polygon.right_bends ? edges.right_step : edges.left_step) = edges.bend_step;
+    return true;
+  }
+  polygon.large.left.next_row();
+  polygon.large.right.next_row();
+  const PolygonCorners corners = source.corners(polygon);
+  Triangle t = Triangle::from(corners.corner[0], corners.corner[1], corners.corner[2]);
+  if (t.wide_doubled_area() < 0) t.flip();
+  place_third_edge(polygon, t, row + row_bias);
+  return true;
+}
+
+}  // namespace spanline

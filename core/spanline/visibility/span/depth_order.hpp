@@ -1,0 +1,57 @@
+#pragma once
+#include <cstdint>
+
+#include "spanline/visibility/band_target.hpp"
+#include "spanline/visibility/span/awake_polygon.hpp"
+
+namespace spanline {
+
+/// Which of two polygons is in front at a pixel: the nearer, and of equally near ones the one that was submitted first;
+/// a strict and total order. Bounds decide where they can; planes are made when they cannot. All questions are about
+/// the row that `move_to` named.
+template <class Depth, bool Counting>
+class DepthOrder {
+ public:
+  DepthOrder(const PolygonSource& source, [[maybe_unused]] VisibilityCounters* counters)
+      : source_(source), counters_(counters) {}
+
+  void move_to(std::int32_t row) { row_ = row; }
+
+  [[nodiscard]] bool in_front(AwakePolygon& a, AwakePolygon& b, std::int32_t column) {
+    if (a.nearest > b.farthest) return false;
+    if (a.farthest < b.nearest) return true;
+    return nearer(a, b, column);
+  }
+
+  /// By planes alone.
+  [[nodiscard]] bool nearer(AwakePolygon& a, AwakePolygon& b, std::int32_t column) {
+    if (!a.has_plane) make_plane<Depth>(a, source_);
+    if (!b.has_plane) make_plane<Depth>(b, source_);
+    if constexpr (Counting) ++counters_->depth_tests;
+    const std::uint32_t depth_a = a.depth_at(column, row_), depth_b = b.depth_at(column, row_);
+    return depth_a < depth_b || (depth_a == depth_b && a.number < b.number);
+  }
+
+  /// The first column where `other` is in front, given that `front` is at `low` and `other` at `high`: halving, without
+  /// a divide. Both have planes.
+  [[nodiscard, gnu::noinline]] std::int32_t crossing(const AwakePolygon& front, const AwakePolygon& other,
+                                                     std::int32_t low, std::int32_t high) {
+    if constexpr (Counting) ++counters_->crossings;
+    const std::uint32_t depth_front = front.depth_at(0, row_), depth_other = other.depth_at(0, row_);
+    const bool wins_ties = other.number < front.number;
+    while (high - low > 1) {
+      const std::int32_t middle = (low + high) >> 1;
+      const std::uint32_t f = depth_front + front.plane.dx * word(middle),
+                          o = depth_other + other.plane.dx * word(middle);
+      (o < f || (o == f && wins_ties) ? high : low) = middle;
+    }
+    return high;
+  }
+
+ private:
+  const PolygonSource& source_;
+  std::int32_t row_ = 0;
+  VisibilityCounters* counters_;
+};
+
+}  // namespace spanline
