@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <optional>
 
 #include "base/failure.hpp"
@@ -35,12 +36,13 @@ struct RenderOutputs {
   std::optional<OutputFile> depth, ids, statistics;
 };
 
-void render_still(Studio& studio, RenderOutputs& outputs) {
+void render_still(Studio& studio, RenderOutputs& outputs, const std::optional<RenderArguments::Pixel>& pick) {
   const Frame frame = studio.draw(0);
   outputs.picture.write(encode_png(studio.picture(frame)));
   if (outputs.depth) outputs.depth->write(encode_png(to_picture(frame.depths, frame.size)));
   if (outputs.ids) outputs.ids->write(encode_png(to_picture(frame.ids, frame.size)));
   if (outputs.statistics) outputs.statistics->write(to_json(frame.statistics));
+  if (pick) std::printf("%s\n", to_string(studio.pick(pick->x, pick->y)).c_str());
 }
 
 void render_turntable(Studio& studio, int frames, OutputFile& file) {
@@ -65,7 +67,7 @@ class RenderCommand final : public Command {
     if (arguments.turntable_frames > 0)
       render_turntable(studio, arguments.turntable_frames, outputs.picture);
     else
-      render_still(studio, outputs);
+      render_still(studio, outputs, arguments.pick);
     outputs.commit();
   }
 

@@ -45,7 +45,7 @@ void add_drawing_options(CLI::App& command, RenderTexts& texts) {
   const std::string group = "Drawing";
   command.add_option("--size", texts.size, "picture size (320x240)")->type_name("WxH")->group(group);
   command.add_option("--visibility", texts.visibility, "algorithm (scanline-z)")->type_name("NAME")->group(group);
-  command.add_option("--depth", texts.depth, "bits of depth (16)")->type_name("16|24")->group(group);
+  command.add_option("--depth", texts.depth, "bits of depth (16; span 24)")->type_name("16|24")->group(group);
   command.add_option("--depth-sense", texts.depth_sense, "nearer depths are (smaller)")
       ->type_name("smaller|larger")
       ->group(group);
@@ -63,6 +63,9 @@ void add_drawing_options(CLI::App& command, RenderTexts& texts) {
       ->group(group);
   command.add_option("--ambient", texts.ambient, "ambient light")->type_name("0..1")->group(group);
   command.add_option("--background", texts.background, "colour (000000)")->type_name("RRGGBB")->group(group);
+  command.add_option("--pick", texts.pick, "prints the triangle at a pixel, numbered from 1, and its depth")
+      ->type_name("X,Y")
+      ->group(group);
   command.add_option("--panel", texts.panel, "through that panel's driver and model, at its size")
       ->type_name("NAME")
       ->group(group);
@@ -72,7 +75,6 @@ void add_later_options(CLI::App& command, RenderTexts& texts) {
   const std::string group = "Not available yet";
   command.add_option("--structure", texts.structure, "for ray")->type_name("grid|octree|kd|bsp")->group(group);
   command.add_flag("--wireframe", texts.wireframe)->group(group);
-  command.add_option("--pick", texts.pick, "prints polygon and depth")->type_name("X,Y")->group(group);
   command.add_option("--texture", texts.texture)->type_name("FILE")->group(group);
   command.add_option("--filter", texts.filter)->type_name("nearest|bilinear")->group(group);
   command.add_flag("--mipmap", texts.mipmap)->group(group);
@@ -85,9 +87,8 @@ void add_later_options(CLI::App& command, RenderTexts& texts) {
 }
 
 void refuse_later_options(const RenderTexts& texts) {
-  const std::array<std::pair<const char*, bool>, 12> later{{{"--structure", texts.structure.has_value()},
+  const std::array<std::pair<const char*, bool>, 11> later{{{"--structure", texts.structure.has_value()},
                                                             {"--wireframe", texts.wireframe},
-                                                            {"--pick", texts.pick.has_value()},
                                                             {"--texture", texts.texture.has_value()},
                                                             {"--filter", texts.filter.has_value()},
                                                             {"--mipmap", texts.mipmap},
@@ -179,6 +180,15 @@ void parse_panel(const RenderTexts& texts, RenderArguments& arguments) {
   arguments.size = size;
 }
 
+void parse_pick(const RenderTexts& texts, RenderArguments& arguments) {
+  if (!texts.pick) return;
+  const std::size_t comma = texts.pick->find(',');
+  if (comma == std::string::npos) throw UsageError("--pick: '" + *texts.pick + "' is not X,Y");
+  arguments.pick = {parse_integer("--pick", texts.pick->substr(0, comma), 0, arguments.size.width - 1),
+                    parse_integer("--pick", texts.pick->substr(comma + 1), 0, arguments.size.height - 1)};
+  if (texts.turntable) throw UsageError("--pick goes with a still picture, not with --turntable");
+}
+
 void check_ending(const RenderArguments& arguments) {
   const std::string& name = arguments.output;
   const bool png = name.ends_with(".png") || name.ends_with(".apng");
@@ -232,6 +242,7 @@ RenderArguments parse_render_arguments(const RenderTexts& texts) {
   arguments.view = parse_view(texts);
   parse_light(texts, arguments);
   parse_panel(texts, arguments);
+  parse_pick(texts, arguments);
   parse_outputs(texts, arguments);
   return arguments;
 }

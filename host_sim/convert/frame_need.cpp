@@ -28,6 +28,7 @@ std::size_t peak(const FrameStatistics& statistics, const char* name) {
 
 FrameNeed measure_need(const Scene& scene) {
   FrameRequest request;
+  request.visibility = &find_visibility("scanline-z");
   const View home = resolve_view({}, scene, request.size, true);
   const World world = choose_world(home, scene, request.size);
   FrameRenderer renderer(to_core_meshes(scene, world));

@@ -6,14 +6,13 @@
 
 #include "base/failure.hpp"
 #include "panels/panel_registry.hpp"
+#include "registry/visibility_list.hpp"
 
 namespace spanline::sim {
 namespace {
 
-constexpr std::array<VisibilityEntry, 2> visibility_table{{
-    {"zbuffer", "exact", "depth buffer of the whole picture", true},
-    {"scanline-z", "exact", "depth buffer of one band of lines, polygons sorted by bands", false},
-}};
+constexpr auto visibility_table =
+    std::apply([](const auto&... lines) { return std::array{lines.entry...}; }, visibility_list);
 
 constexpr std::array<ShadingEntry, 3> shading_table{{
     {"flat", "one brightness a polygon", false, true},
@@ -36,8 +35,8 @@ constexpr std::array<BoardEntry, 6> board_table{{
 }};
 
 /// Names of the command line that have no algorithm yet.
-constexpr std::array<std::string_view, 8> later_visibility{"span",      "painter", "depth-sort",      "bsp",
-                                                           "bsp-front", "warnock", "weiler-atherton", "ray"};
+constexpr std::array<std::string_view, 7> later_visibility{"painter", "depth-sort",      "bsp", "bsp-front",
+                                                           "warnock", "weiler-atherton", "ray"};
 constexpr std::array<std::string_view, 1> later_shading{"texture"};
 
 template <class Table, class Later>

@@ -7,12 +7,13 @@
 
 namespace spanline::sim {
 
-/// A visibility algorithm that `--visibility` names. To add one is to add a line to `visibility_algorithms`.
+/// A visibility algorithm that `--visibility` names; visibility_list.hpp has them.
 struct VisibilityEntry {
   const char* name;
   const char* exactness;  ///< exact, near-exact or order-bound
   const char* description;
   bool full_frame;  ///< works on the whole picture at once, whatever --band says
+  int depth_bits;   ///< where --depth does not say
 };
 
 /// A way of shading that `--shade` names.

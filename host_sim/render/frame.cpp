@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "base/failure.hpp"
+#include "registry/visibility_list.hpp"
 #include "scene/core_values.hpp"
+#include "spanline/frame/pick.hpp"
 
 namespace spanline::sim {
 namespace {
@@ -73,9 +75,22 @@ class Pass {
   PoolPeaks peaks{};
   bool want_depth = false, want_covered = false;
 
+  /// The whole frame into the tables above.
   void run(Capacity& capacity, std::vector<std::byte>& memory, std::size_t triangles) {
+    run(capacity, memory, [this, triangles](Renderer<Traits>& renderer) {
+      pixels.clear();
+      depths.clear();
+      covered.assign(want_covered ? triangles : 0, false);
+      return renderer.draw(
+          FrameSink<Traits>{pixels, want_depth ? &depths : nullptr, want_covered ? &covered : nullptr});
+    });
+  }
+
+  /// Submits the frame and finishes it by `finish(renderer)`, as often as it takes.
+  template <class Finish>
+  void run(Capacity& capacity, std::vector<std::byte>& memory, Finish finish) {
     for (;;) {
-      const Status status = attempt(capacity, memory, triangles);
+      const Status status = attempt(capacity, memory, finish);
       if (status.ok()) return;
       if (status.fault != Fault::pool_full)
         throw Failure(std::string("the renderer refused: ") + to_string(status.fault));
@@ -84,10 +99,8 @@ class Pass {
   }
 
  private:
-  Status attempt(const Capacity& capacity, std::vector<std::byte>& memory, std::size_t triangles) {
-    pixels.clear();
-    depths.clear();
-    covered.assign(want_covered ? triangles : 0, false);
+  template <class Finish>
+  Status attempt(const Capacity& capacity, std::vector<std::byte>& memory, Finish finish) {
     const std::size_t bytes = Renderer<Traits>::bytes_needed(capacity);
     if (memory.size() < bytes) memory.resize(bytes);
     Renderer<Traits> renderer(capacity, std::span(memory).first(bytes));
@@ -95,8 +108,7 @@ class Pass {
     if (const Status status = renderer.begin(settings_); !status.ok()) return status;
     for (const Mesh& mesh : meshes_)
       if (const Status status = renderer.add(mesh, Transform{}, material_); !status.ok()) return status;
-    FrameSink<Traits> sink{pixels, want_depth ? &depths : nullptr, want_covered ? &covered : nullptr};
-    if (const Status status = renderer.draw(sink); !status.ok()) return status;
+    if (const Status status = finish(renderer); !status.ok()) return status;
     statistics = renderer.statistics();
     peaks = renderer.peaks();
     return {};
@@ -135,7 +147,7 @@ std::uint64_t distinct_ids(const std::vector<std::uint32_t>& ids, std::size_t tr
 }
 
 /// Draws the colour picture and, where asked, the picture of ids, with one format of depth.
-template <class Depth>
+template <class Depth, class Visibility>
 class FrameDrawing {
  public:
   FrameDrawing(const FrameRequest& request, const std::vector<CoreMesh>& meshes, Capacity& capacity,
@@ -153,10 +165,7 @@ class FrameDrawing {
 
   Frame draw() {
     const std::vector<DirectionalLight> lights = to_core_lights(request_.light);
-    settings_.camera = request_.camera;
-    settings_.lighting = {to_fixed<Fixed<16>>(request_.light.ambient), lights};
-    settings_.background = request_.background;
-    settings_.cull = request_.cull;
+    set_up(lights);
     Frame frame;
     frame.size = request_.size;
     draw_colours(frame);
@@ -164,9 +173,24 @@ class FrameDrawing {
     return frame;
   }
 
+  PickedPixel pick(int x, int y) {
+    set_up({});
+    Pass<IdTraits<Depth, true, Visibility>> pass(meshes_, settings_, material_);
+    Picked<Depth> picked;
+    pass.run(capacity_, memory_, [&](auto& renderer) { return spanline::pick(renderer, x, y, picked); });
+    return {picked.id, picked.id == 0 ? background_depth(Depth::bits) : picked.depth};
+  }
+
  private:
+  void set_up(const std::vector<DirectionalLight>& lights) {
+    settings_.camera = request_.camera;
+    settings_.lighting = {to_fixed<Fixed<16>>(request_.light.ambient), lights};
+    settings_.background = request_.background;
+    settings_.cull = request_.cull;
+  }
+
   void draw_colours(Frame& frame) {
-    Pass<FullTraits<Rgb565, Depth, true>> pass(meshes_, settings_, material_);
+    Pass<FullTraits<Rgb565, Depth, true, Visibility>> pass(meshes_, settings_, material_);
     pass.want_depth = request_.want_depth;
     pass.want_covered = request_.want_statistics;
     pass.run(capacity_, memory_, triangles_);
@@ -179,15 +203,13 @@ class FrameDrawing {
     statistics.polygons.outside = counted.outside;
     statistics.polygons.back = counted.back;
     if (request_.want_statistics) statistics.polygons.empty = counted.total - counted.outside - counted.back - covered_;
-    statistics.pixels = pass.statistics.visibility.pixels;
-    statistics.spans = pass.statistics.visibility.spans;
-    statistics.depth_tests = pass.statistics.visibility.depth_tests;
+    statistics.visibility = pass.statistics.visibility;
     statistics.peak_bytes = named_peaks(pass.peaks);
   }
 
   void draw_ids(Frame& frame) {
     if (triangles_ >= (1u << 24)) throw Failure("pictures of ids count to 16777215, and the model has more triangles");
-    Pass<IdTraits<Depth>> pass(meshes_, settings_, material_);
+    Pass<IdTraits<Depth, false, Visibility>> pass(meshes_, settings_, material_);
     pass.run(capacity_, memory_, triangles_);
     const std::uint64_t visible = distinct_ids(pass.pixels, triangles_);
     frame.statistics.polygons.visible = visible;
@@ -216,22 +238,38 @@ FrameRenderer::FrameRenderer(std::vector<CoreMesh> meshes) : meshes_(std::move(m
 }
 
 Frame FrameRenderer::draw(const FrameRequest& request) {
+  return with_drawing<Frame>(request, [](auto drawing) { return drawing.draw(); });
+}
+
+PickedPixel FrameRenderer::pick(const FrameRequest& request, int x, int y) {
+  return with_drawing<PickedPixel>(request, [x, y](auto drawing) { return drawing.pick(x, y); });
+}
+
+template <class Result, class F>
+Result FrameRenderer::with_drawing(const FrameRequest& request, F f) {
   capacity_.width = static_cast<std::uint16_t>(request.size.width);
   capacity_.height = static_cast<std::uint16_t>(request.size.height);
   capacity_.band_lines = static_cast<std::uint16_t>(request.band_lines);
   capacity_.colour_bands = 1;
   if (request.smooth) capacity_.shades = std::max(capacity_.shades, capacity_.vertices);
-  if (request.band_lines < request.size.height)
+  if (request.band_lines < request.size.height || !request.visibility->full_frame)
     capacity_.active = std::max(capacity_.active, std::min(capacity_.polygons, first_active));
-  const auto with = [&]<class Depth>(Depth*) {
-    return FrameDrawing<Depth>(request, meshes_, capacity_, memory_).draw();
-  };
-  constexpr auto smaller = DepthSense::smaller_is_nearer, larger = DepthSense::larger_is_nearer;
-  const bool smaller_wanted = request.depth_sense == smaller;
-  if (request.depth_bits == 16)
-    return smaller_wanted ? with(static_cast<Depth16<smaller>*>(nullptr))
-                          : with(static_cast<Depth16<larger>*>(nullptr));
-  return smaller_wanted ? with(static_cast<Depth24<smaller>*>(nullptr)) : with(static_cast<Depth24<larger>*>(nullptr));
+  return with_visibility(*request.visibility, [&]<class Visibility>() -> Result {
+    const auto with = [&]<class Depth>(Depth*) {
+      return f(FrameDrawing<Depth, Visibility>(request, meshes_, capacity_, memory_));
+    };
+    constexpr auto smaller = DepthSense::smaller_is_nearer, larger = DepthSense::larger_is_nearer;
+    const bool smaller_wanted = request.depth_sense == smaller;
+    if (request.depth_bits == 16)
+      return smaller_wanted ? with(static_cast<Depth16<smaller>*>(nullptr))
+                            : with(static_cast<Depth16<larger>*>(nullptr));
+    return smaller_wanted ? with(static_cast<Depth24<smaller>*>(nullptr))
+                          : with(static_cast<Depth24<larger>*>(nullptr));
+  });
+}
+
+std::string to_string(const PickedPixel& picked) {
+  return "polygon " + std::to_string(picked.id) + " depth " + std::to_string(picked.depth);
 }
 
 Picture to_picture(const std::vector<std::uint16_t>& pixels, Size size) {

@@ -7,6 +7,7 @@
 
 #include "base/parse.hpp"
 #include "image/picture.hpp"
+#include "registry/registry.hpp"
 #include "scene/core_mesh.hpp"
 #include "scene/lighting.hpp"
 #include "spanline/frame/renderer.hpp"
@@ -16,7 +17,8 @@ namespace spanline::sim {
 /// A frame to draw: all that the core needs to know, in its own terms.
 struct FrameRequest {
   Size size;
-  int band_lines = 16;  ///< lines a band; the height of the picture for a whole frame
+  const VisibilityEntry* visibility = nullptr;  ///< never null where a frame is drawn
+  int band_lines = 16;                          ///< lines a band; the height of the picture for a whole frame
   int depth_bits = 16;
   DepthSense depth_sense = DepthSense::smaller_is_nearer;
   Cull cull = Cull::back;
@@ -36,7 +38,7 @@ struct PolygonSets {
 
 struct FrameStatistics {
   PolygonSets polygons;
-  std::uint64_t pixels = 0, spans = 0, depth_tests = 0;
+  VisibilityCounters visibility;
   std::vector<std::pair<std::string, std::uint64_t>> peak_bytes;  ///< by pool, with "total"
 };
 
@@ -49,6 +51,15 @@ struct Frame {
   FrameStatistics statistics;
 };
 
+/// What `--pick` prints.
+struct PickedPixel {
+  std::uint32_t id = 0;     ///< 1 + triangle number, 0 for the background
+  std::uint32_t depth = 0;  ///< the depth integer; background_depth(bits) for the background
+};
+
+/// `polygon 57 depth 31234`.
+[[nodiscard]] std::string to_string(const PickedPixel& picked);
+
 /// The depth that stands for the background in pictures of depth, whatever the sense.
 [[nodiscard]] constexpr std::uint32_t background_depth(int bits) { return (std::uint32_t{1} << bits) - 1; }
 
@@ -59,8 +70,14 @@ class FrameRenderer {
   explicit FrameRenderer(std::vector<CoreMesh> meshes);
   /// Throws Failure if the core refuses the frame.
   [[nodiscard]] Frame draw(const FrameRequest& request);
+  /// Which triangle is seen at a pixel of the frame, and how deep.
+  [[nodiscard]] PickedPixel pick(const FrameRequest& request, int x, int y);
 
  private:
+  /// f(drawing) for the drawing that the request asks for.
+  template <class Result, class F>
+  Result with_drawing(const FrameRequest& request, F f);
+
   std::vector<CoreMesh> meshes_;
   Capacity capacity_;
   std::vector<std::byte> memory_;

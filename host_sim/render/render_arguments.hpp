@@ -18,7 +18,7 @@ struct RenderArguments {
   ViewRequest view;
   const VisibilityEntry* visibility = nullptr;
   const ShadingEntry* shading = nullptr;  ///< nullptr: by what the model has
-  int depth_bits = 16;
+  std::optional<int> depth_bits;          ///< by the algorithm where it is not given
   DepthSense depth_sense = DepthSense::smaller_is_nearer;
   int band_lines = 16;
   Cull cull = Cull::back;
@@ -27,6 +27,10 @@ struct RenderArguments {
   Rgb888 background{0, 0, 0};
   const PanelInfo* panel = nullptr;
   std::optional<std::string> depth_output, ids_output, statistics_output;
+  struct Pixel {
+    int x, y;
+  };
+  std::optional<Pixel> pick;
   int turntable_frames = 0;  ///< 0: a still picture
 };
 

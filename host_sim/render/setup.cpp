@@ -30,9 +30,10 @@ FrameRequest make_request(const RenderArguments& arguments, const ShadingEntry& 
                           const World& world, const SceneLight& light) {
   FrameRequest request;
   request.size = arguments.size;
+  request.visibility = arguments.visibility;
   request.band_lines =
       arguments.visibility->full_frame ? arguments.size.height : std::min(arguments.band_lines, arguments.size.height);
-  request.depth_bits = arguments.depth_bits;
+  request.depth_bits = arguments.depth_bits.value_or(arguments.visibility->depth_bits);
   request.depth_sense = arguments.depth_sense;
   request.cull = arguments.cull;
   request.smooth = shading.smooth;

@@ -12,9 +12,16 @@ std::string to_json(const FrameStatistics& statistics) {
   json["polygons"] =
       Json{{"total", polygons.total}, {"outside", polygons.outside},          {"back", polygons.back},
            {"empty", polygons.empty}, {"obscured", known(polygons.obscured)}, {"visible", known(polygons.visible)}};
-  json["pixels"] = statistics.pixels;
-  json["spans"] = statistics.spans;
-  json["depth_tests"] = statistics.depth_tests;
+  const VisibilityCounters& visibility = statistics.visibility;
+  json["pixels"] = visibility.pixels;
+  json["spans"] = visibility.spans;
+  json["depth_tests"] = visibility.depth_tests;
+  if (visibility.shaded != 0)
+    json["spanning"] = Json{{"shaded", visibility.shaded},
+                            {"decisions", visibility.decisions},
+                            {"crossings", visibility.crossings},
+                            {"order_repairs", visibility.order_repairs},
+                            {"sleeps", visibility.sleeps}};
   json["peak_bytes"] = Json::object();
   for (const auto& [pool, bytes] : statistics.peak_bytes) json["peak_bytes"][pool] = bytes;
   return json.dump(2) + "\n";

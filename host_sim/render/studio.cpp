@@ -25,6 +25,10 @@ Frame Studio::draw(double turns) {
   return renderer_->draw(make_request(arguments_, *shading_, view, world_, light));
 }
 
+PickedPixel Studio::pick(int x, int y) {
+  return renderer_->pick(make_request(arguments_, *shading_, view_, world_, light_), x, y);
+}
+
 Picture Studio::picture(const Frame& frame) {
   return panel_ ? panel_->show(frame.pixels, arguments_.band_lines) : to_picture(frame.pixels, frame.size);
 }

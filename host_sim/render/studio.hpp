@@ -16,6 +16,9 @@ class Studio {
   /// The frame after the model has turned by `turns` of a full circle; 0 is the view as it was asked for.
   [[nodiscard]] Frame draw(double turns);
 
+  /// What is seen at a pixel of the view as it was asked for.
+  [[nodiscard]] PickedPixel pick(int x, int y);
+
   /// The picture as it is seen, on the panel if there is one.
   [[nodiscard]] Picture picture(const Frame& frame);
 

@@ -23,7 +23,7 @@ constexpr int idle_milliseconds = 20;
 /// The choices that keys switch, drawn with what `render` draws with.
 struct Choices {
   std::size_t visibility = 1, shading = 0;
-  int depth_bits = 16;
+  std::optional<int> depth_bits;  ///< by the algorithm until a key says otherwise
   Cull cull = Cull::back;
 
   void next_cull() { cull = cull == Cull::back ? Cull::front : cull == Cull::front ? Cull::none : Cull::back; }
@@ -80,26 +80,37 @@ class Viewer {
     arguments.background = {24, 28, 40};
     const View view = orbit_.view();
     const auto start = std::chrono::steady_clock::now();
-    const Frame frame =
-        renderer_->draw(make_request(arguments, shading, view, world_, resolve_light({}, std::nullopt, view)));
+    request_ = make_request(arguments, shading, view, world_, resolve_light({}, std::nullopt, view));
+    const Frame frame = renderer_->draw(request_);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
     window_.show(frame.pixels);
-    show_statistics(frame.statistics, time.count());
+    describe(frame.statistics, time.count());
+    window_.set_title(options_.title + " | " + description_);
     dirty_ = false;
   }
 
-  void show_statistics(const FrameStatistics& statistics, double milliseconds) {
+  void describe(const FrameStatistics& statistics, double milliseconds) {
     const PolygonSets& polygons = statistics.polygons;
     std::array<char, 256> text{};
     std::snprintf(
         text.data(), text.size(),
         "%s %d bits, %s, cull %s | %llu triangles, %llu outside, %llu back | %llu spans, %llu pixels | %.1f ms",
-        visibility_algorithms()[choices_.visibility].name, choices_.depth_bits, shadings()[choices_.shading].name,
+        visibility_algorithms()[choices_.visibility].name, request_.depth_bits, shadings()[choices_.shading].name,
         choices_.cull_name(), static_cast<unsigned long long>(polygons.total),
         static_cast<unsigned long long>(polygons.outside), static_cast<unsigned long long>(polygons.back),
-        static_cast<unsigned long long>(statistics.spans), static_cast<unsigned long long>(statistics.pixels),
-        milliseconds);
-    window_.set_title(options_.title + " | " + text.data());
+        static_cast<unsigned long long>(statistics.visibility.spans),
+        static_cast<unsigned long long>(statistics.visibility.pixels), milliseconds);
+    description_ = text.data();
+  }
+
+  /// Says which triangle is at a pixel of the picture: in the title until the next frame, and on stdout.
+  void pick(int x, int y) {
+    if (!renderer_ || x < 0 || y < 0 || x >= options_.size.width || y >= options_.size.height) return;
+    const PickedPixel picked = renderer_->pick(request_, x, y);
+    const std::string text = to_string(picked);
+    std::printf("%s\n", text.c_str());
+    std::fflush(stdout);
+    window_.set_title(options_.title + " | " + text + " | " + description_);
   }
 
   void handle_events() {
@@ -108,8 +119,13 @@ class Viewer {
       if (event.type == SDL_QUIT) closed_ = true;
       if (event.type == SDL_WINDOWEVENT) dirty_ = true;
       if (event.type == SDL_KEYDOWN) handle_key(event.key.keysym.sym);
-      if (event.type == SDL_MOUSEMOTION && (event.motion.state & SDL_BUTTON_LMASK) != 0)
+      if (event.type == SDL_MOUSEBUTTONDOWN) dragged_ = false;
+      if (event.type == SDL_MOUSEMOTION && (event.motion.state & SDL_BUTTON_LMASK) != 0) {
+        dragged_ = true;
         turn(-event.motion.xrel * drag_step, event.motion.yrel * drag_step);
+      }
+      if (event.type == SDL_MOUSEBUTTONUP && event.button.button == SDL_BUTTON_LEFT && !dragged_)
+        pick(event.button.x, event.button.y);
       if (event.type == SDL_MOUSEWHEEL && event.wheel.y != 0) zoom(event.wheel.y > 0 ? 1 / zoom_step : zoom_step);
     }
   }
@@ -143,7 +159,7 @@ class Viewer {
   void switch_choice(SDL_Keycode key) {
     dirty_ = true;
     if (key == SDLK_v) choices_.visibility = (choices_.visibility + 1) % visibility_algorithms().size();
-    if (key == SDLK_d) choices_.depth_bits = choices_.depth_bits == 16 ? 24 : 16;
+    if (key == SDLK_d) choices_.depth_bits = request_.depth_bits == 16 ? 24 : 16;
     if (key == SDLK_c) choices_.next_cull();
     if (key == SDLK_r) orbit_.reset();
     if (key == SDLK_s) {
@@ -169,6 +185,9 @@ class Viewer {
   Choices choices_;
   World world_;
   std::optional<FrameRenderer> renderer_;
+  FrameRequest request_;     ///< of the last frame
+  std::string description_;  ///< of the last frame
+  bool dragged_ = false;
   bool dirty_ = true;
   bool closed_ = false;
 };
@@ -186,7 +205,8 @@ void run_viewer(const Scene& scene, const ViewerOptions& options) {
 }
 
 const char* viewer_keys() {
-  return "Drag or arrow keys: orbit. Wheel, + and -: zoom. v: visibility algorithm. d: bits of depth. s: shading. "
+  return "Click: triangle and depth at the pixel. Drag or arrow keys: orbit. Wheel, + and -: zoom. v: visibility "
+         "algorithm. d: bits of depth. s: shading. "
          "c: culling. r: back to the start. q or Escape: quit.";
 }
 

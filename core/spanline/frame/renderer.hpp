@@ -356,7 +356,7 @@ class Renderer {
     peaks_.active = Visibility::Memory::bytes(visibility_.peak());
     peaks_.buckets = pools_.buckets.size_bytes();
     peaks_.colour_bands = pools_.colour[0].size_bytes() + pools_.colour[1].size_bytes();
-    peaks_.depth_band = pools_.depth.size_bytes();
+    peaks_.depth_band = Visibility::tests_depth ? pools_.depth.size_bytes() : 0;
   }
 
   Capacity capacity_;

@@ -34,7 +34,7 @@ class DepthBuffer {
   using Target = BandTarget<Depth, Pixel>;
   using Rows = TriangleRows<Depth, Pixel, Counting>;
 
-  static constexpr bool keeps_depth = true;
+  static constexpr bool keeps_depth = true, tests_depth = true;
 
   /// The memory of the algorithm, cut off an arena: polygons that cross a band's lower edge; none are needed where
   /// there is one band.

@@ -29,8 +29,8 @@ class SpanningScanLine {
   using Surface = typename Shaders::Surface;
   using Target = BandTarget<Depth, Pixel>;
 
-  /// Depths are kept for Counting only: nothing here needs them.
-  static constexpr bool keeps_depth = Counting;
+  /// Depths are kept for Counting alone, for others to look at: nothing here reads them.
+  static constexpr bool keeps_depth = Counting, tests_depth = false;
 
   struct Entry : AwakePolygon {
     Surface surface;

@@ -1,0 +1,50 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#include "spanline/frame/renderer.hpp"
+
+namespace spanline {
+
+/// What is seen at a pixel (lecture 004, "Picking").
+template <class Depth>
+struct Picked {
+  std::uint32_t id = 0;     ///< 1 + number of the triangle in order of submission; 0: the background
+  std::uint32_t depth = 0;  ///< the depth integer in the format's sense; that of the clear value for the background
+};
+
+namespace pick_detail {
+
+/// Draws nothing of use; notes one pixel and ends the frame behind it.
+template <class Traits>
+struct Sink {
+  std::int32_t x, y, width;
+  Picked<typename Traits::Depth>& picked;
+  bool found = false;
+
+  template <class Band>
+  bool operator()(const Band& band) {
+    if (y >= band.y1) return true;
+    const auto at = static_cast<std::size_t>((y - band.y0) * width + x);
+    picked = {band.pixels[at], Traits::Depth::integer(band.depth[at])};
+    found = true;
+    return false;
+  }
+};
+
+}  // namespace pick_detail
+
+/// Finds the triangle that the frame, begun and added to as for `draw`, shows at (x, y), and its depth there; by any
+/// visibility algorithm, in the memory of its own bands. The renderer's traits are `IdTraits` with statistics, which
+/// make every algorithm keep depths. Draws the bands down to y's. bad_settings for a pixel outside the picture.
+template <class Traits>
+Status pick(Renderer<Traits>& renderer, std::int32_t x, std::int32_t y, Picked<typename Traits::Depth>& picked) {
+  static_assert(Traits::statistics && Traits::Shaders::template index_of<IdShader> < Traits::Shaders::count);
+  const Capacity& capacity = renderer.capacity();
+  if (x < 0 || y < 0 || x >= capacity.width || y >= capacity.height) return {Fault::bad_settings, Pool::none, 0};
+  pick_detail::Sink<Traits> sink{x, y, capacity.width, picked};
+  const Status status = renderer.draw(sink);
+  return sink.found ? renderer.end_bands() : status;
+}
+
+}  // namespace spanline
