@@ -13,7 +13,14 @@ using namespace spanline;
 
 alignas(Arena::alignment) std::byte memory[board::picture_memory];
 
-constexpr scenes::SelftestModels models{spanline_models::bunny, spanline_models::teapot};
+/// A model, where a scene that this board draws shows it; anything else otherwise, so that it is not linked.
+template <const Mesh& Model>
+constexpr const Mesh& model_for(const char* name) {
+  return scenes::selftest_shows(name, board::picture_memory) ? Model : scenes::torus;
+}
+
+constexpr scenes::SelftestModels models{model_for<spanline_models::bunny>("bunny"),
+                                        model_for<spanline_models::teapot>("teapot")};
 
 void print(const char* text) {
   board::write(" ");

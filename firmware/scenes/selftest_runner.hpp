@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <new>
 #include <span>
+#include <type_traits>
 
 #include "scenes/crc32.hpp"
 #include "scenes/selftest_table.hpp"
@@ -33,6 +34,10 @@ struct Layout {
   static constexpr Capacity capacity(const SelftestScene& scene, std::uint16_t band) {
     Capacity wanted = scene.capacity;
     wanted.band_lines = band;
+    if (std::is_same_v<typename Traits::Visibility, Spanning>) {
+      wanted.active = scene.awake;
+      return wanted;
+    }
     if (band == wanted.height) {
       wanted.colour_bands = 1;
       wanted.active = 0;
@@ -122,6 +127,10 @@ constexpr auto with_traits(SelftestRenderer renderer, F&& f) {
       return call<Memory, swapped_16, FullTraits<Rgb565Swapped, Depth16<>>>(f);
     case full_24:
       return call<Memory, full_24, FullTraits<Rgb565, Depth24<>>>(f);
+    case span_flat:
+      return call<Memory, span_flat, FlatTraits<Rgb565, Depth24<>, false, Spanning>>(f);
+    case span_full:
+      return call<Memory, span_full, FullTraits<Rgb565, Depth24<>, false, Spanning>>(f);
     case full_24_larger:
       break;
   }
@@ -141,8 +150,9 @@ constexpr auto with_traits(SelftestRenderer renderer, F&& f) {
   return scene.starved == Pool::none ? status.ok() : status.fault == Fault::pool_full && status.pool == scene.starved;
 }
 
-/// The visibility algorithm of a run, by the height of its bands.
+/// The visibility algorithm of a run.
 [[nodiscard]] constexpr const char* visibility_of(const SelftestScene& scene, const SelftestRun& run) {
+  if (is_spanning(run.renderer)) return "span";
   return run.band == scene.capacity.height ? "zbuffer" : "scanline-z";
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "scenes/selftest_scenes.hpp"
 
@@ -16,12 +17,18 @@ enum class SelftestRenderer : std::uint8_t {
   swapped_16,      ///< the same, and pixels have their high byte first
   full_24,         ///< flat and Gouraud shading, 24-bit depth
   full_24_larger,  ///< the same, and larger depth is nearer
+  span_flat,       ///< spanning scan line, flat shading alone, 24 bits
+  span_full,       ///< spanning scan line, flat and Gouraud shading, 24 bits
 };
 
 /// The renderer as lines of the self-test name it, in the column of the depth.
 [[nodiscard]] constexpr const char* to_string(SelftestRenderer renderer) {
-  constexpr const char* names[] = {"16-flat", "16-flat-larger", "16", "16-swapped", "24", "24-larger"};
+  constexpr const char* names[] = {"16-flat", "16-flat-larger", "16", "16-swapped", "24", "24-larger", "24-flat", "24"};
   return names[static_cast<unsigned>(renderer)];
+}
+
+[[nodiscard]] constexpr bool is_spanning(SelftestRenderer renderer) {
+  return renderer == SelftestRenderer::span_flat || renderer == SelftestRenderer::span_full;
 }
 
 /// One drawing of a scene.
@@ -38,7 +45,8 @@ struct SelftestScene {
   Capacity capacity;             ///< what it takes; the height of bands is a run's business
   std::uint32_t soup_triangles;  ///< given on screen
   Pool starved;                  ///< the pool that is too small for it, on purpose
-  std::array<SelftestRun, 8> runs;
+  std::array<SelftestRun, 10> runs;
+  std::uint32_t awake = 0;  ///< polygons awake at once: the active pool of spanning runs
 };
 
 namespace selftest_detail {
@@ -46,7 +54,8 @@ namespace selftest_detail {
 using enum SelftestRenderer;
 
 constexpr SelftestScene soup(const char* name, SoupShape shape, std::uint16_t width, std::uint16_t height,
-                             std::uint32_t triangles, std::uint32_t active, std::array<SelftestRun, 8> runs) {
+                             std::uint32_t triangles, std::uint32_t active, std::array<SelftestRun, 10> runs,
+                             std::uint32_t awake = 0) {
   constexpr void (*builders[])(const SelftestRequest&, SelftestContent&) = {
       build_soup<SoupShape::tiny>,  build_soup<SoupShape::large>,    build_soup<SoupShape::sliver>,
       build_soup<SoupShape::guard>, build_soup<SoupShape::crossing>, build_soup<SoupShape::tied>};
@@ -55,19 +64,43 @@ constexpr SelftestScene soup(const char* name, SoupShape shape, std::uint16_t wi
           {.width = width, .height = height, .polygons = triangles, .active = active},
           triangles,
           Pool::none,
-          runs};
+          runs,
+          awake};
 }
 
 inline constexpr SelftestScene scenes[] = {
     // Random triangles on screen: name, shape, width, height, triangles, active, runs.
     soup("soup-tiny", SoupShape::tiny, 320, 240, 2000, 36,
-         {{{flat_16, 16, 94656}, {full_16, 1, 67584}, {full_16, 240, 368384}, {full_24, 7, 83200}}}),
+         {{{flat_16, 16, 94656},
+           {full_16, 1, 67584},
+           {full_16, 240, 368384},
+           {full_24, 7, 83200},
+           {span_flat, 1, 67608},
+           {span_full, 16, 88536}}},
+         50),
     soup("soup-large", SoupShape::large, 320, 240, 100, 84,
-         {{{flat_16, 16, 41536}, {flat_16_larger, 7, 24256}, {full_24, 16, 54592}, {full_24_larger, 1, 16640}}}),
+         {{{flat_16, 16, 41536},
+           {flat_16_larger, 7, 24256},
+           {full_24, 16, 54592},
+           {full_24_larger, 1, 16640},
+           {span_flat, 1, 13584},
+           {span_full, 16, 35504}}},
+         81),
     soup("soup-slivers", SoupShape::sliver, 320, 240, 300, 156,
-         {{{flat_16, 16, 53248}, {full_16, 7, 41152}, {full_24, 1, 30656}}}),
+         {{{flat_16, 16, 53248},
+           {full_16, 7, 41152},
+           {full_24, 1, 30656},
+           {span_flat, 1, 26592},
+           {span_full, 7, 39328}}},
+         154),
     soup("soup-guard", SoupShape::guard, 320, 240, 100, 84,
-         {{{flat_16, 16, 41536}, {full_16, 1, 16000}, {full_24, 16, 54592}, {full_24, 240, 464960}}}),
+         {{{flat_16, 16, 41536},
+           {full_16, 1, 16000},
+           {full_24, 16, 54592},
+           {full_24, 240, 464960},
+           {span_flat, 16, 32592},
+           {span_full, 1, 16048}}},
+         79),
     soup("soup-crossing", SoupShape::crossing, 320, 240, 100, 84,
          {{{flat_16, 1, 13184},
            {flat_16, 7, 24256},
@@ -76,24 +109,55 @@ inline constexpr SelftestScene scenes[] = {
            {flat_16_larger, 16, 41536},
            {full_24, 1, 16640},
            {full_24, 16, 54592},
-           {full_24_larger, 7, 31552}}}),
+           {full_24_larger, 7, 31552},
+           {span_flat, 1, 13392},
+           {span_full, 240, 321968}}},
+         79),
     soup("soup-tied", SoupShape::tied, 320, 240, 40, 36,
-         {{{flat_16, 7, 18624}, {full_16, 240, 309568}, {full_24_larger, 16, 47360}}}),
+         {{{flat_16, 7, 18624},
+           {full_16, 240, 309568},
+           {full_24_larger, 16, 47360},
+           {span_flat, 7, 14760},
+           {span_full, 1, 8232}}},
+         32),
     soup("soup-tiny-small", SoupShape::tiny, 128, 128, 200, 12,
-         {{{flat_16, 1, 9024}, {flat_16, 4, 11136}, {full_24, 1, 9792}, {full_24_larger, 2, 10688}}}),
+         {{{flat_16, 1, 9024},
+           {flat_16, 4, 11136},
+           {full_24, 1, 9792},
+           {full_24_larger, 2, 10688},
+           {span_flat, 1, 9160}}},
+         14),
     soup("soup-slivers-small", SoupShape::sliver, 128, 128, 40, 18,
-         {{{flat_16, 1, 4672}, {flat_16, 7, 9088}, {full_24, 1, 5632}}}),
+         {{{flat_16, 1, 4672}, {flat_16, 7, 9088}, {full_24, 1, 5632}, {span_flat, 1, 4744}}}, 18),
     soup("soup-guard-small", SoupShape::guard, 128, 128, 30, 26,
-         {{{flat_16, 1, 5056}, {flat_16, 7, 9408}, {flat_16_larger, 1, 5056}, {full_24, 1, 6272}}}),
+         {{{flat_16, 1, 5056},
+           {flat_16, 7, 9408},
+           {flat_16_larger, 1, 5056},
+           {full_24, 1, 6272},
+           {span_flat, 1, 5216},
+           {span_flat, 7, 8288}}},
+         26),
     soup("soup-crossing-small", SoupShape::crossing, 128, 128, 30, 28,
-         {{{flat_16, 1, 5184}, {flat_16, 7, 9600}, {flat_16_larger, 1, 5184}, {full_24, 1, 6464}}}),
+         {{{flat_16, 1, 5184},
+           {flat_16, 7, 9600},
+           {flat_16_larger, 1, 5184},
+           {full_24, 1, 6464},
+           {span_flat, 1, 5312},
+           {span_flat, 16, 12992}}},
+         27),
     // Meshes: name, builder, pools, no soup, nothing starved, runs.
     {"bunny-flat",
      build_bunny<ShadingMode::flat>,
      {.width = 320, .height = 240, .vertices = 1850, .polygons = 1540, .active = 72},
      0,
      Pool::none,
-     {{{flat_16, 16, 58496}, {flat_16, 240, 329216}, {flat_16_larger, 7, 41280}, {full_24, 16, 71168}}}},
+     {{{flat_16, 16, 58496},
+       {flat_16, 240, 329216},
+       {flat_16_larger, 7, 41280},
+       {full_24, 16, 71168},
+       {span_flat, 1, 32408},
+       {span_flat, 16, 51608}}},
+     90},
     {"bunny-gouraud",
      build_bunny<ShadingMode::gouraud>,
      {.width = 320, .height = 240, .vertices = 1850, .shades = 1850, .polygons = 1540, .active = 72},
@@ -106,13 +170,20 @@ inline constexpr SelftestScene scenes[] = {
        {swapped_16, 7, 51072},
        {full_24, 7, 55552},
        {full_24, 16, 78592},
-       {full_24_larger, 16, 78592}}}},
+       {full_24_larger, 16, 78592},
+       {span_full, 1, 42816}}},
+     90},
     {"teapot-flat",
      build_teapot<ShadingMode::flat>,
      {.width = 320, .height = 240, .vertices = 540, .polygons = 340, .active = 40},
      0,
      Pool::none,
-     {{{flat_16, 1, 12288}, {flat_16, 16, 40640}, {full_24_larger, 7, 29312}}}},
+     {{{flat_16, 1, 12288},
+       {flat_16, 16, 40640},
+       {full_24_larger, 7, 29312},
+       {span_flat, 1, 13288},
+       {span_flat, 240, 319208}}},
+     50},
     {"teapot-gouraud",
      build_teapot<ShadingMode::gouraud>,
      {.width = 320, .height = 240, .vertices = 540, .shades = 540, .polygons = 340, .active = 40},
@@ -123,37 +194,48 @@ inline constexpr SelftestScene scenes[] = {
        {full_16, 240, 316224},
        {swapped_16, 1, 15872},
        {full_24, 16, 54464},
-       {full_24_larger, 7, 31488}}}},
+       {full_24_larger, 7, 31488},
+       {span_full, 16, 36376}}},
+     50},
     {"teapot-cut",
      build_cut_teapot,
      {.width = 320, .height = 240, .vertices = 760, .shades = 760, .polygons = 760, .fans = 136, .active = 64},
      0,
      Pool::none,
-     {{{full_16, 16, 52608}, {full_24, 7, 39872}}}},
+     {{{full_16, 16, 52608}, {full_24, 7, 39872}, {span_full, 1, 28744}, {span_full, 16, 47944}}},
+     96},
     {"teapot-ortho",
      build_ortho_teapot,
      {.width = 320, .height = 240, .vertices = 540, .polygons = 500, .active = 68},
      0,
      Pool::none,
-     {{{flat_16, 16, 43520}, {flat_16_larger, 7, 26304}, {full_24, 16, 56064}}}},
+     {{{flat_16, 16, 43520}, {flat_16_larger, 7, 26304}, {full_24, 16, 56064}, {span_flat, 1, 18152}}},
+     94},
     {"terrain",
      build_terrain,
      {.width = 320, .height = 240, .vertices = 360, .polygons = 220, .fans = 40, .active = 60},
      0,
      Pool::none,
-     {{{flat_16_larger, 7, 23488}, {full_16, 16, 42816}, {full_24, 16, 53056}, {full_24_larger, 1, 15104}}}},
+     {{{flat_16_larger, 7, 23488},
+       {full_16, 16, 42816},
+       {full_24, 16, 53056},
+       {full_24_larger, 1, 15104},
+       {span_full, 1, 15288}}},
+     64},
     {"prisms",
      build_prisms,
      {.width = 320, .height = 240, .vertices = 66, .polygons = 60, .fans = 56, .active = 24},
      0,
      Pool::none,
-     {{{flat_16_larger, 16, 35008}, {full_24, 7, 23168}}}},
+     {{{flat_16_larger, 16, 35008}, {full_24, 7, 23168}, {span_full, 16, 26408}}},
+     23},
     {"lights",
      build_lights<ShadingMode::gouraud>,
      {.width = 320, .height = 240, .vertices = 288, .shades = 288, .polygons = 280, .active = 60},
      0,
      Pool::none,
-     {{{full_16, 16, 43200}, {swapped_16, 16, 43200}, {full_24, 7, 30464}}}},
+     {{{full_16, 16, 43200}, {swapped_16, 16, 43200}, {full_24, 7, 30464}, {span_full, 7, 22744}}},
+     59},
     {"mixture",
      build_mixture,
      {.width = 320,
@@ -166,13 +248,25 @@ inline constexpr SelftestScene scenes[] = {
       .active = 140},
      0,
      Pool::none,
-     {{{full_16, 1, 33920}, {full_16, 16, 62272}, {full_24, 16, 72512}, {full_24_larger, 7, 49472}}}},
+     {{{full_16, 1, 33920},
+       {full_16, 16, 62272},
+       {full_24, 16, 72512},
+       {full_24_larger, 7, 49472},
+       {span_full, 1, 37824},
+       {span_full, 16, 57024}}},
+     158},
     {"tube",
      build_tube,
      {.width = 320, .height = 240, .vertices = 320, .shades = 320, .polygons = 220, .fans = 16, .active = 44},
      0,
      Pool::none,
-     {{{full_16, 16, 41728}, {full_16, 240, 313280}, {full_24, 16, 51968}, {full_24_larger, 7, 28992}}}},
+     {{{full_16, 16, 41728},
+       {full_16, 240, 313280},
+       {full_24, 16, 51968},
+       {full_24_larger, 7, 28992},
+       {span_full, 1, 14088},
+       {span_full, 240, 320008}}},
+     49},
     // For boards with 16 KB of RAM.
     {"torus-small",
      build_mesh<torus, ShadingMode::flat>,
@@ -183,19 +277,23 @@ inline constexpr SelftestScene scenes[] = {
        {flat_16, 4, 11712},
        {flat_16_larger, 1, 9600},
        {full_24, 1, 11648},
-       {full_24, 128, 102848}}}},
+       {full_24, 128, 102848},
+       {span_flat, 1, 10392}}},
+     54},
     {"torus-colours-small",
      build_mesh<coloured_torus, ShadingMode::gouraud>,
      {.width = 128, .height = 128, .vertices = 288, .shades = 288, .polygons = 272, .active = 52},
      0,
      Pool::none,
-     {{{full_16, 1, 12544}, {full_16, 2, 13184}, {full_24, 1, 12800}}}},
+     {{{full_16, 1, 12544}, {full_16, 2, 13184}, {full_24, 1, 12800}, {span_full, 1, 13400}}},
+     54},
     {"torus-ortho-small",
      build_ortho_torus,
      {.width = 128, .height = 128, .vertices = 288, .shades = 288, .polygons = 288, .active = 48},
      0,
      Pool::none,
-     {{{full_16, 1, 12160}, {full_24_larger, 1, 12416}}}},
+     {{{full_16, 1, 12160}, {full_24_larger, 1, 12416}, {span_full, 2, 14744}}},
+     60},
     {"inside-out-small",
      build_inside_out,
      {.width = 128, .height = 128, .vertices = 288, .polygons = 312, .active = 60},
@@ -208,12 +306,29 @@ inline constexpr SelftestScene scenes[] = {
      0,
      Pool::none,
      {{{full_16, 1, 10624}, {full_24, 1, 10880}}}},
+    // 300 polygons at 320 × 240 in the memory of two lines: what a board with 16 KB draws without a depth buffer.
+    {"torus-in-two-lines",
+     build_inside_out,
+     {.width = 320, .height = 240, .vertices = 288, .polygons = 320},
+     0,
+     Pool::none,
+     {{{full_24, 240, 465504}, {span_flat, 1, 11480}}},
+     53},
+    // And for a board with 8 KB.
+    {"prisms-in-two-lines",
+     build_prisms,
+     {.width = 160, .height = 120, .vertices = 66, .polygons = 60, .fans = 56},
+     0,
+     Pool::none,
+     {{{full_24, 120, 117648}, {span_flat, 1, 5560}}},
+     24},
     {"prisms-small",
      build_prisms,
      {.width = 128, .height = 128, .vertices = 66, .polygons = 56, .fans = 56, .active = 24},
      0,
      Pool::none,
-     {{{flat_16, 7, 9664}, {full_16, 1, 6208}, {full_24, 7, 12352}}}},
+     {{{flat_16, 7, 9664}, {full_16, 1, 6208}, {full_24, 7, 12352}, {span_flat, 1, 5336}}},
+     23},
     {"lights-small",
      build_lights<ShadingMode::flat>,
      {.width = 128, .height = 128, .vertices = 288, .polygons = 272, .active = 58},
@@ -231,20 +346,23 @@ inline constexpr SelftestScene scenes[] = {
      {.width = 128, .height = 128, .instances = 2, .vertices = 576, .shades = 288, .polygons = 528, .active = 68},
      0,
      Pool::none,
-     {{{full_16, 1, 17920}, {full_24, 1, 18176}}}},
+     {{{full_16, 1, 17920}, {full_24, 1, 18176}, {span_full, 1, 21304}}},
+     88},
     // Pools that run full: what fits is drawn, the same on every machine.
     {"no-room-polygons",
      build_mesh<torus, ShadingMode::flat>,
      {.width = 128, .height = 128, .vertices = 288, .polygons = 150, .active = 52},
      0,
      Pool::polygons,
-     {{{full_16, 1, 10944}, {full_24, 1, 11200}}}},
+     {{{full_16, 1, 10944}, {full_24, 1, 11200}, {span_full, 1, 9200}}},
+     34},
     {"no-room-active",
      build_mesh<torus, ShadingMode::gouraud>,
      {.width = 128, .height = 128, .vertices = 288, .shades = 288, .polygons = 272, .active = 12},
      0,
      Pool::active,
-     {{{full_16, 1, 8064}, {full_16, 2, 8704}, {full_24, 1, 8320}}}},
+     {{{full_16, 1, 8064}, {full_16, 2, 8704}, {full_24, 1, 8320}, {span_full, 1, 8024}}},
+     12},
     {"no-room-vertices",
      build_chain,
      {.width = 128, .height = 128, .instances = 2, .vertices = 400, .shades = 288, .polygons = 528, .active = 68},
@@ -270,6 +388,15 @@ constexpr void for_each_selftest_run(std::uint32_t memory, Visit&& visit) {
   for (const SelftestScene& scene : selftest_scenes)
     for (const SelftestRun& run : scene.runs)
       if (run.band != 0 && run.memory <= memory) visit(scene, run);
+}
+
+/// Whether a machine with `memory` bytes to spare draws a scene whose name begins so: models take much flash.
+[[nodiscard]] constexpr bool selftest_shows(std::string_view name, std::uint32_t memory) {
+  bool shown = false;
+  for_each_selftest_run(memory, [&](const SelftestScene& scene, const SelftestRun&) {
+    shown = shown || std::string_view(scene.name).starts_with(name);
+  });
+  return shown;
 }
 
 /// Whether a machine with `memory` bytes to spare draws anything with this renderer.

@@ -21,7 +21,8 @@ using scenes::SelftestScene;
 constexpr std::uint32_t all_memory = std::numeric_limits<std::uint32_t>::max();
 
 bool has_24_bits(SelftestRenderer renderer) {
-  return renderer == SelftestRenderer::full_24 || renderer == SelftestRenderer::full_24_larger;
+  return renderer == SelftestRenderer::full_24 || renderer == SelftestRenderer::full_24_larger ||
+         scenes::is_spanning(renderer);
 }
 bool larger_is_nearer(SelftestRenderer renderer) {
   return renderer == SelftestRenderer::flat_16_larger || renderer == SelftestRenderer::full_24_larger;

@@ -7,6 +7,7 @@ import sys
 import house
 
 FREESTANDING = """algorithm array bit climits compare concepts cstddef cstdint initializer_list iterator limits new span
+string_view
 tuple type_traits utility arm_acle.h""".split()  # the last is gcc's own
 
 CORE = "core/spanline/"
