@@ -224,10 +224,10 @@ TEST_F(RenderTest, Lists) {
     found.insert(line.substr(0, second));
     found.insert(line.substr(0, line.find('\t', second + 1)));
   }
-  for (const char* entry :
-       {"visibility\tzbuffer\texact", "visibility\tscanline-z\texact", "visibility\tspan\texact", "shading\tflat",
-        "shading\tgouraud", "shading\tunlit", "panel\tili9341", "panel\tssd0323", "board\tlm3s6965evb",
-        "board\tmps2-an385", "board\tmps2-an386", "board\tmps2-an500", "board\tmicrobit", "board\tstm32vldiscovery", "board\tvirt-rv32"})
+  for (const char* entry : {"visibility\tzbuffer\texact", "visibility\tscanline-z\texact", "visibility\tspan\texact",
+                            "shading\tflat", "shading\tgouraud", "shading\tunlit", "panel\tili9341", "panel\tssd0323",
+                            "board\tlm3s6965evb", "board\tmps2-an385", "board\tmps2-an386", "board\tmps2-an500",
+                            "board\tmicrobit", "board\tstm32vldiscovery", "board\tvirt-rv32"})
     EXPECT_TRUE(found.contains(entry)) << entry;
 }
 
