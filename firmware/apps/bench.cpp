@@ -3,8 +3,7 @@
 #include <bunny.hpp>
 
 #include "board.hpp"
-#include "counter.hpp"
-#include "scenes/crc32.hpp"
+#include "measured_frame.hpp"
 #include "scenes/model_view.hpp"
 #include "scenes/screen_soups.hpp"
 
@@ -15,8 +14,6 @@ using namespace spanline;
 alignas(8) std::byte memory[1024 * 1024];
 ScreenVertex soup_vertices[6000];
 std::uint16_t soup_colours[2000];
-
-struct NullSink {};
 
 void print(const char* scene, const char* visibility, int depth, unsigned band, std::uint32_t instructions,
            std::uint32_t crc, std::size_t peak_bytes) {
@@ -37,40 +34,12 @@ void print(const char* scene, const char* visibility, int depth, unsigned band, 
   board::write("\n");
 }
 
-template <class Traits>
-constexpr bool spanning = std::is_same_v<typename Traits::Visibility, Spanning>;
-
-/// Draws two frames and measures the second. `submit` starts the frame and adds what it shows.
 template <class Traits, class Submit>
-void measure(const char* scene, Capacity capacity, unsigned band, Submit submit) {
-  capacity.band_lines = static_cast<std::uint16_t>(band == 0 ? capacity.height : band);
-  capacity.colour_bands = band == 0 ? 1 : 2;
-  if (!spanning<Traits> && band == 0) capacity.active = 0;
-  Renderer<Traits> renderer(capacity, memory);
-  std::uint32_t instructions = 0;
-  scenes::Crc32 crc;
-  for (int frame = 0; frame < 2; ++frame) {
-    crc = {};
-    board::counter_start();
-    submit(renderer);
-    instructions = board::counter_read();
-    NullSink sink;
-    renderer.start_bands();
-    for (std::uint32_t i = 0; i < capacity.bands(); ++i) {
-      renderer.clear_band(i);
-      board::counter_start();
-      const auto view = renderer.draw_band(i, sink);
-      instructions += board::counter_read();
-      for (const auto pixel : view.pixels) crc.add(pixel);
-    }
-    if (!renderer.end_bands().ok()) board::write("bench: a pool is full\n");
-    board::counter_report();
-  }
-  print(scene,
-        spanning<Traits> ? "span"
-        : band == 0      ? "zbuffer"
-                         : "scanline-z",
-        Traits::Depth::bits, band, instructions, crc.value(), renderer.peaks().total());
+void measure(const char* scene, const Capacity& capacity, unsigned band, Submit submit) {
+  const measured::Frame frame = measured::warm_frame<Traits>(capacity, band, memory, submit);
+  if (!frame.complete) board::write("bench: a pool is full\n");
+  print(scene, measured::visibility_name<Traits>(band), Traits::Depth::bits, band, frame.instructions, frame.crc,
+        frame.peak_bytes);
 }
 
 template <class Depth, class Visibility>

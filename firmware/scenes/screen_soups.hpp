@@ -36,6 +36,36 @@ inline void make_right_triangles(std::uint32_t leg, std::uint32_t count, int dep
   }
 }
 
+/// The triangles that cover a picture `complexity` times on average if they are thrown over it as by
+/// `make_even_cover`.
+[[nodiscard]] constexpr std::uint32_t even_cover_count(std::uint32_t complexity, std::uint32_t leg, std::uint32_t width,
+                                                       std::uint32_t height) {
+  return (2 * complexity * (width + leg) * (height + leg) + leg * leg - 1) / (leg * leg);
+}
+
+/// Right triangles with legs of `leg` pixels at random depths, thrown evenly over a picture and its surroundings, so
+/// that every pixel is covered equally often on average.
+inline void make_even_cover(std::uint32_t leg, std::int32_t width, std::int32_t height, int depth_bits,
+                            ScreenSoup soup) {
+  Random random;
+  const auto size = static_cast<std::int32_t>(leg);
+  for (std::size_t i = 0; i < soup.colours.size(); ++i) {
+    const std::int32_t x0 = static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(width + size))) - size,
+                       y0 = static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(height + size))) - size;
+    const std::uint32_t orientation = random() & 3, base = 4096 + random.below(57344);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t corner = (orientation + k + 3) & 3;
+      const std::int32_t x = x0 + (corner == 1 || corner == 2 ? size : 0), y = y0 + (corner >= 2 ? size : 0);
+      ScreenVertex& vertex = soup.vertices[3 * i + k];
+      vertex = soup_vertex(x, y, base + random.below(2048), depth_bits);
+      const int code = (x < 0 ? outcode_left : 0) | (x > width ? outcode_right : 0) | (y < 0 ? outcode_top : 0) |
+                       (y > height ? outcode_bottom : 0);
+      vertex.depth_word |= static_cast<std::uint32_t>(code);
+    }
+    soup.colours[i] = static_cast<std::uint16_t>(random() >> 8);
+  }
+}
+
 /// Benchmark scenes S7B and S7F: 20 quads over the whole picture, two triangles each, at depths 3000·(i + 1), farthest
 /// or nearest first.
 inline void make_full_screen_quads(bool back_to_front, int depth_bits, ScreenSoup soup) {

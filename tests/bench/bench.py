@@ -2,6 +2,7 @@
 """Runs build/firmware/<board>/bench.elf for each core under QEMU, prints a table and writes build/bench.json.
 
 The image prints a line for each case: bench <scene> <visibility> <depth> <band> <instructions> <crc> <peak bytes>.
+Without --check and --core it also prints which visibility algorithm wins where (compare.py).
 Cycles are those of the model in tests/qemu/cycles, for the cores that it knows; null for the others.
 """
 
@@ -15,6 +16,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests/qemu"))
 
+import compare  # noqa: E402
 import cycles  # noqa: E402
 import machine  # noqa: E402
 from machine import Failure  # noqa: E402
@@ -152,6 +154,11 @@ def main():
     print_table(rows, "cycles")
     for core, report in listed:
         print_hottest(core, arguments.hottest, report)
+    if not arguments.core and not arguments.check:
+        try:
+            compare.run(ROOT, arguments.timeout)
+        except Failure as failure:
+            sys.exit(f"bench.py: {failure}")
     if not arguments.core:
         (ROOT / "build/bench.json").write_text(json.dumps(rows, indent=1) + "\n")
     faults = pictures_differ(rows) + (list(over_budget(rows)) if arguments.check else [])

@@ -146,9 +146,11 @@ class Renderer {
   }
 
   /// Adds triangles that are on screen already: corners three by three (outcodes set where they leave the viewport),
-  /// and a colour each in RGB565. Both tables must stay until `draw` has returned. For flat shading.
+  /// and a colour each in RGB565. Both tables must stay until `draw` has returned. For flat shading. 32,767 triangles a
+  /// call on 32-bit machines.
   Status add_screen(std::span<const ScreenVertex> vertices, std::span<const std::uint16_t> colours) {
     if (!ready_) return status_.ok() ? Status{Fault::bad_settings, Pool::none, 0} : status_;
+    if (vertices.size() / 3 >= fan_flag) return {Fault::too_many_triangles, Pool::none, 0};
     const std::uint8_t shader = shader_for<Traits>(ShadingMode::flat, false);
     const std::uint32_t first_id = used_.ids;
     used_.ids += static_cast<std::uint32_t>(vertices.size() / 3);

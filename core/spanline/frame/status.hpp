@@ -9,10 +9,11 @@ enum class Pool : std::uint8_t { none, memory, instances, vertices, shades, poly
 enum class Fault : std::uint8_t {
   none,
   pool_full,  ///< `pool` was too small; it would have taken `wanted` entries (bytes for `memory`). What fits was drawn
-  bad_configuration,  ///< sizes outside their ranges
-  bad_settings,       ///< near, far or focal outside their ranges
-  shader_missing,     ///< a material's shading mode is not among the renderer's shaders; the instance was left out
-  sink_failed,        ///< the sink gave the frame up
+  bad_configuration,   ///< sizes outside their ranges
+  bad_settings,        ///< near, far or focal outside their ranges
+  shader_missing,      ///< a material's shading mode is not among the renderer's shaders; the instance was left out
+  sink_failed,         ///< the sink gave the frame up
+  too_many_triangles,  ///< in one call: triangle numbers would not fit; nothing was added
 };
 
 /// How a call went.
@@ -29,8 +30,8 @@ struct [[nodiscard]] Status {
   return names[static_cast<unsigned>(pool)];
 }
 [[nodiscard]] constexpr const char* to_string(Fault fault) {
-  constexpr const char* names[] = {"none",         "pool full",      "bad configuration",
-                                   "bad settings", "shader missing", "sink failed"};
+  constexpr const char* names[] = {"none",           "pool full",   "bad configuration", "bad settings",
+                                   "shader missing", "sink failed", "too many triangles"};
   return names[static_cast<unsigned>(fault)];
 }
 
