@@ -12,6 +12,7 @@
 #include "spanline/geometry/polygon_assembly.hpp"
 #include "spanline/model/camera.hpp"
 #include "spanline/shade/lighting.hpp"
+#include "spanline/visibility/algorithm.hpp"
 
 namespace spanline {
 
@@ -215,6 +216,7 @@ class Renderer {
 
  private:
   using Visibility = typename Traits::Visibility::template Algorithm<Depth, Pixel, Shaders, Traits::statistics>;
+  static_assert(VisibilityAlgorithm<Visibility, Arena, Capacity>);
   static constexpr bool has_ramps = Shaders::template index_of<GouraudShader<Format>> < Shaders::count;
   static constexpr bool has_shades =
       has_ramps || Shaders::template index_of<GouraudColourShader<Format>> < Shaders::count;

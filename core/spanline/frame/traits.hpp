@@ -11,18 +11,6 @@
 
 namespace spanline {
 
-/// Visibility of a renderer: a depth buffer over the whole picture or over bands of lines.
-struct ZBuffer {
-  template <class Depth, class Pixel, class Shaders, bool Counting>
-  using Algorithm = DepthBuffer<Depth, Pixel, Shaders, Counting>;
-};
-
-/// Visibility of a renderer: the spanning scan-line algorithm. No depth buffer; exact at 24 bits.
-struct Spanning {
-  template <class Depth, class Pixel, class Shaders, bool Counting>
-  using Algorithm = SpanningScanLine<Depth, Pixel, Shaders, Counting>;
-};
-
 /// What a renderer is made of, chosen when the program is compiled. A program links what its traits name and nothing
 /// else.
 template <class DepthFormatT, class PixelFormat, class ShaderListT, bool Statistics = false,

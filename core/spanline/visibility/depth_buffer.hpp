@@ -270,4 +270,10 @@ class DepthBuffer {
   bool overflowed_ = false;
 };
 
+/// Visibility of a renderer: a depth buffer over the whole picture or over bands of lines.
+struct ZBuffer {
+  template <class Depth, class Pixel, class Shaders, bool Counting>
+  using Algorithm = DepthBuffer<Depth, Pixel, Shaders, Counting>;
+};
+
 }  // namespace spanline

@@ -194,4 +194,10 @@ class SpanningScanLine {
   bool overflowed_ = false;
 };
 
+/// Visibility of a renderer: the spanning scan-line algorithm. No depth buffer; exact at 24 bits.
+struct Spanning {
+  template <class Depth, class Pixel, class Shaders, bool Counting>
+  using Algorithm = SpanningScanLine<Depth, Pixel, Shaders, Counting>;
+};
+
 }  // namespace spanline
