@@ -6,6 +6,7 @@
 #include "measured_frame.hpp"
 #include "scenes/model_view.hpp"
 #include "scenes/screen_soups.hpp"
+#include "scenes/textured_wall.hpp"
 
 namespace {
 
@@ -82,11 +83,21 @@ void model(const char* name, ShadingMode shading, unsigned band) {
       });
 }
 
+template <class Traits>
+void wall(unsigned band) {
+  namespace scene = scenes::textured_wall;
+  measure<Traits>("S6", {.vertices = 4, .textures = 4, .polygons = 2, .active = 2}, band, [&](auto& renderer) {
+    (void)renderer.begin(scene::settings());
+    if (!renderer.add(scene::mesh, {}, scene::material).ok()) board::write("bench: a pool is full\n");
+  });
+}
+
 template <class Depth, class Visibility = ZBuffer>
 void all(unsigned band) {
   soups<Depth, Visibility>(band);
   model<FlatTraits<Rgb565, Depth, false, Visibility>>("S4", ShadingMode::flat, band);
   model<FullTraits<Rgb565, Depth, false, Visibility>>("S5", ShadingMode::gouraud, band);
+  wall<TextureTraits<Rgb565, Depth, false, Visibility>>(band);
 }
 
 }  // namespace

@@ -47,6 +47,8 @@ void grow(Capacity& capacity, const Status& status) {
       return to(capacity.vertices);
     case Pool::shades:
       return to(capacity.shades);
+    case Pool::textures:
+      return to(capacity.textures);
     case Pool::polygons:
       return to(capacity.polygons);
     case Pool::fans:
@@ -127,16 +129,10 @@ std::vector<DirectionalLight> to_core_lights(const SceneLight& light) {
 }
 
 std::vector<std::pair<std::string, std::uint64_t>> named_peaks(const PoolPeaks& peaks) {
-  return {{"instances", peaks.instances},
-          {"vertices", peaks.vertices},
-          {"shades", peaks.shades},
-          {"polygons", peaks.polygons},
-          {"fans", peaks.fans},
-          {"active", peaks.active},
-          {"buckets", peaks.buckets},
-          {"colour_bands", peaks.colour_bands},
-          {"depth_band", peaks.depth_band},
-          {"total", peaks.total()}};
+  return {{"instances", peaks.instances},   {"vertices", peaks.vertices}, {"shades", peaks.shades},
+          {"textures", peaks.textures},     {"polygons", peaks.polygons}, {"fans", peaks.fans},
+          {"active", peaks.active},         {"buckets", peaks.buckets},   {"colour_bands", peaks.colour_bands},
+          {"depth_band", peaks.depth_band}, {"total", peaks.total()}};
 }
 
 std::uint64_t distinct_ids(const std::vector<std::uint32_t>& ids, std::size_t triangles) {

@@ -20,9 +20,9 @@ RULES = {
     CORE + "geometry": [CORE + "math", CORE + "model", CORE + "raster"],
     CORE + "raster": [CORE + "math"],
     CORE + "visibility": [CORE + "raster"],
-    # Shaders fill linear functions of (x, y) and read the word that a vertex carries: raster lends them both beside the waist.
-    CORE + "shade": [CORE + "raster/span.hpp", CORE + "raster/linear_function.hpp", CORE + "raster/vertex_shade.hpp", CORE + "math",
-                     CORE + "model"],
+    # Shaders fill linear functions of (x, y) and read the words that a vertex carries: raster lends them both beside the waist.
+    CORE + "shade": [CORE + "raster/span.hpp", CORE + "raster/linear_function.hpp", CORE + "raster/vertex_shade.hpp",
+                     CORE + "raster/texture_vertex.hpp", CORE + "math", CORE + "model"],
     CORE + "frame": CORE_ROOMS,
     "hal": [],
     "firmware/boards": ["hal"],

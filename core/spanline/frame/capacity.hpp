@@ -13,6 +13,7 @@ struct Capacity {
   std::uint32_t instances = 1;    ///< meshes in view
   std::uint32_t vertices = 0;     ///< of all instances in view, and what clipping adds
   std::uint32_t shades = 0;       ///< vertices of instances with Gouraud shading, and what clipping adds
+  std::uint32_t textures = 0;     ///< vertices of textured instances, and what clipping adds
   std::uint32_t polygons = 0;     ///< triangles that face the eye
   std::uint32_t fans = 0;    ///< of these, the pieces of clipped triangles and of polygons with more than three corners
   std::uint32_t active = 0;  ///< z-buffers: polygons that reach across a band's lower edge; none with a single band.
@@ -29,10 +30,10 @@ struct Capacity {
 
 /// Bytes in use at most, pool by pool.
 struct PoolPeaks {
-  std::size_t instances = 0, vertices = 0, shades = 0, polygons = 0, fans = 0, active = 0, buckets = 0,
+  std::size_t instances = 0, vertices = 0, shades = 0, textures = 0, polygons = 0, fans = 0, active = 0, buckets = 0,
               colour_bands = 0, depth_band = 0;
   [[nodiscard]] constexpr std::size_t total() const {
-    return instances + vertices + shades + polygons + fans + active + buckets + colour_bands + depth_band;
+    return instances + vertices + shades + textures + polygons + fans + active + buckets + colour_bands + depth_band;
   }
 };
 

@@ -11,5 +11,9 @@ template class Renderer<FullTraits<Rgb565Swapped>>;
 template class Renderer<FullTraits<Rgb565, Depth24<>>>;
 template class Renderer<FlatTraits<Rgb565, Depth24<>, false, Spanning>>;
 template class Renderer<FullTraits<Rgb565, Depth24<>, false, Spanning>>;
+template class Renderer<TextureTraits<Rgb565>>;
+template class Renderer<TextureTraits<Rgb565Swapped>>;
+template class Renderer<TextureTraits<Rgb565, Depth24<>>>;
+template class Renderer<TextureTraits<Rgb565, Depth24<>, false, Spanning>>;
 
 }  // namespace spanline

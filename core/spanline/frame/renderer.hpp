@@ -113,7 +113,8 @@ class Renderer {
   /// full what fits is kept, and the status names the pool and the size that the frame has wanted so far.
   Status add(const Mesh& mesh, const Transform& transform, const Material& material) {
     if (!ready_) return status_.ok() ? Status{Fault::bad_settings, Pool::none, 0} : status_;
-    const std::uint8_t shader = shader_for<Traits>(material.shading, !mesh.vertex_colours.empty());
+    const bool textured = has_textures && material.texturing.texture != nullptr && !mesh.texture_coordinates.empty();
+    const std::uint8_t shader = shader_for<Traits>(material, !mesh.vertex_colours.empty(), textured);
     const std::uint32_t first_id = used_.ids;
     used_.ids += static_cast<std::uint32_t>(mesh.triangle_count());
     if (shader >= Shaders::count) return {Fault::shader_missing, Pool::none, 0};
@@ -125,25 +126,30 @@ class Renderer {
       return {};
     }
     const bool shaded = needs_shades(material);
-    if (const Status room = reserve(mesh, shaded); !room.ok()) return room;
+    if (const Status room = reserve(mesh, shaded, textured); !room.ok()) return room;
 
     const Link number = table_.group_count++;
     PolygonGroup& group = table_.groups[number];
     ShadingGroup& shading = pools_.shading[number];
     VertexStore store{pools_.vertices.subspan(used_.vertices),
                       shaded ? pools_.shades.subspan(used_.shades) : std::span<std::uint32_t>{},
+                      textured ? pools_.textures.subspan(used_.textures) : std::span<TextureVertex>{},
                       static_cast<Link>(mesh.vertex_count()), 0};
     group = {store.vertices.data(), mesh.indices.data(), table_.polygon_count, first_id,
              geometry.placement() != Placement::inside};
     shading = {};
     shading.mesh = &mesh;
     shading.vertex_shades = store.shades.data();
+    if (textured) {
+      pools_.textured[number] = {store.textures.data(), material.texturing};
+      shading.textured = &pools_.textured[number];
+    }
     shading.first_id = first_id;
     shading.colour = LitColour::from(material.colour);
     shading.shader = shader;
     set_lights(settings_.lighting, transform, shading);
     if (shaded) prepare_shades(mesh, material, number, shading, store.shades.data());
-    return assemble(mesh, geometry, group, store);
+    return assemble(mesh, material, geometry, group, store);
   }
 
   /// Adds triangles that are on screen already: corners three by three (outcodes set where they leave the viewport),
@@ -152,7 +158,7 @@ class Renderer {
   Status add_screen(std::span<const ScreenVertex> vertices, std::span<const std::uint16_t> colours) {
     if (!ready_) return status_.ok() ? Status{Fault::bad_settings, Pool::none, 0} : status_;
     if (vertices.size() / 3 >= fan_flag) return {Fault::too_many_triangles, Pool::none, 0};
-    const std::uint8_t shader = shader_for<Traits>(ShadingMode::flat, false);
+    const std::uint8_t shader = shader_for<Traits>(Material{}, false, false);
     const std::uint32_t first_id = used_.ids;
     used_.ids += static_cast<std::uint32_t>(vertices.size() / 3);
     if (shader >= Shaders::count) return {Fault::shader_missing, Pool::none, 0};
@@ -166,7 +172,7 @@ class Renderer {
     shading.shader = shader;
     PolygonAssembly assembly(table_, bucket_of_row_, viewport(), settings_.cull);
     assembly.run_screen(vertices);
-    return finish(assembly, 0, 0);
+    return finish(assembly, 0, false, false);
   }
 
   /// Draws the frame, top to bottom. For each band: `sink.acquire(buffer)` where the sink has it, which waits until
@@ -220,6 +226,8 @@ class Renderer {
   static constexpr bool has_ramps = Shaders::template index_of<GouraudShader<Format>> < Shaders::count;
   static constexpr bool has_shades =
       has_ramps || Shaders::template index_of<GouraudColourShader<Format>> < Shaders::count;
+  static constexpr bool has_textures =
+      Shaders::first([]<class Shader>() { return DrawsTextures<Shader>; }) < Shaders::count;
 
   /// Every pool, in the order in which the arena cuts them.
   struct Pools {
@@ -228,6 +236,8 @@ class Renderer {
     std::span<std::uint16_t> ramps;
     std::span<ScreenVertex> vertices;
     std::span<std::uint32_t> shades;
+    std::span<TextureVertex> textures;
+    std::span<TexturedGroup> textured;
     std::span<PolygonReference> references;
     std::span<FanTriangle> fans;
     std::span<Link> buckets;
@@ -242,6 +252,8 @@ class Renderer {
       ramps = arena.take<std::uint16_t>(has_ramps ? c.instances * gouraud::ramp_size : 0);
       vertices = arena.take<ScreenVertex>(c.vertices);
       shades = arena.take<std::uint32_t>(has_shades ? c.shades : 0);
+      textures = arena.take<TextureVertex>(has_textures ? c.textures : 0);
+      textured = arena.take<TexturedGroup>(has_textures ? c.instances : 0);
       references = arena.take<PolygonReference>(c.polygons);
       fans = arena.take<FanTriangle>(c.fans);
       const std::uint32_t bucket_lines = std::max<std::uint32_t>(1, Visibility::bucket_lines(c));
@@ -254,9 +266,9 @@ class Renderer {
 
   /// How much of the pools the frame has taken.
   struct Used {
-    std::uint32_t vertices = 0, shades = 0, ids = 0;
-    std::uint32_t instances_wanted = 0, vertices_wanted = 0, shades_wanted = 0, polygons_wanted = 0,
-                  fans_wanted = 0;  ///< and not found
+    std::uint32_t vertices = 0, shades = 0, textures = 0, ids = 0;
+    std::uint32_t instances_wanted = 0, vertices_wanted = 0, shades_wanted = 0, textures_wanted = 0,
+                  polygons_wanted = 0, fans_wanted = 0;  ///< and not found
   };
 
   [[nodiscard]] Viewport viewport() const { return {capacity_.width, capacity_.height}; }
@@ -293,13 +305,15 @@ class Renderer {
     if (table_.group_count < pools_.groups.size()) return {};
     return refuse(Pool::instances, used_.instances_wanted, 1, pools_.groups.size());
   }
-  Status reserve(const Mesh& mesh, bool shaded) {
+  Status reserve(const Mesh& mesh, bool shaded, bool textured) {
     if (const Status room = reserve_group(); !room.ok()) return room;
     const std::size_t count = mesh.vertex_count();
     if (count > pools_.vertices.size() - used_.vertices)
       return refuse_all(Pool::vertices, used_.vertices_wanted, used_.vertices, count, pools_.vertices.size());
     if (shaded && count > pools_.shades.size() - used_.shades)
       return refuse_all(Pool::shades, used_.shades_wanted, used_.shades, count, pools_.shades.size());
+    if (textured && count > pools_.textures.size() - used_.textures)
+      return refuse_all(Pool::textures, used_.textures_wanted, used_.textures, count, pools_.textures.size());
     return {};
   }
   /// An instance's vertices fit whole or not at all: the free rest counts as taken by it.
@@ -320,28 +334,47 @@ class Renderer {
     }
   }
 
-  Status assemble(const Mesh& mesh, const InstanceGeometry& geometry, const PolygonGroup& group, VertexStore& store) {
+  Status assemble(const Mesh& mesh, [[maybe_unused]] const Material& material, const InstanceGeometry& geometry,
+                  const PolygonGroup& group, VertexStore& store) {
     geometry.transform_vertices(store.vertices.data());
     PolygonAssembly assembly(table_, bucket_of_row_, viewport(), settings_.cull);
     const Clipper clipper = geometry.clipper(shade_kind(mesh));
-    const std::size_t room =
-        store.shades.empty() ? store.vertices.size() : std::min(store.vertices.size(), store.shades.size());
+    const bool shaded = !store.shades.empty(), textured = !store.textures.empty();
+    std::size_t room = store.vertices.size();
+    if (shaded) room = std::min(room, store.shades.size());
+    if (textured) room = std::min(room, store.textures.size());
     store.vertices = store.vertices.first(room);
-    assembly.run(mesh, group.vertices, group.scissored, geometry.clip_context(clipper, store));
+    [[maybe_unused]] Nearness nearness;
+    TextureVertexMaker textures;
+    if constexpr (has_textures) {
+      if (textured) {
+        nearness = geometry.nearness();
+        textures = TextureVertexMaker::for_instance(nearness);
+        geometry.make_texture_vertices(nearness, material.texture_matrix, store.textures.data());
+      }
+    }
+    assembly.run(mesh, group.vertices, group.scissored, geometry.clip_context(clipper, store, textures));
     used_.vertices += store.count;
-    if (!store.shades.empty()) used_.shades += store.count;
-    return finish(assembly, store.wanted_vertices, store.shades.empty() ? 0 : store.wanted_vertices);
+    if (shaded) used_.shades += store.count;
+    if (textured) used_.textures += store.count;
+    return finish(assembly, store.wanted_vertices, shaded, textured);
   }
 
-  Status finish(const PolygonAssembly& assembly, std::uint32_t vertices_missing, std::uint32_t shades_missing) {
+  Status finish(const PolygonAssembly& assembly, std::uint32_t vertices_missing, bool shaded, bool textured) {
     statistics_.polygons.total += assembly.counts.total;
     statistics_.polygons.outside += assembly.counts.outside;
     statistics_.polygons.back += assembly.counts.back;
     if (vertices_missing != 0) {
+      // Up to three parallel pools: the one with the least room is named.
+      constexpr std::size_t unbounded = ~std::size_t{0};
+      const std::size_t vertices_left = pools_.vertices.size() - used_.vertices,
+                        shades_left = shaded ? pools_.shades.size() - used_.shades : unbounded,
+                        textures_left = textured ? pools_.textures.size() - used_.textures : unbounded;
       const Status full = refuse(Pool::vertices, used_.vertices_wanted, vertices_missing, pools_.vertices.size());
-      if (shades_missing == 0 || pools_.vertices.size() - used_.vertices < pools_.shades.size() - used_.shades)
-        return full;
-      return refuse(Pool::shades, used_.shades_wanted, shades_missing, pools_.shades.size());
+      if (vertices_left < shades_left && vertices_left < textures_left) return full;
+      if (shades_left <= textures_left)
+        return refuse(Pool::shades, used_.shades_wanted, vertices_missing, pools_.shades.size());
+      return refuse(Pool::textures, used_.textures_wanted, vertices_missing, pools_.textures.size());
     }
     if (assembly.fans_wanted != 0)
       return refuse(Pool::fans, used_.fans_wanted, assembly.fans_wanted, pools_.fans.size());
@@ -355,6 +388,8 @@ class Renderer {
         table_.group_count * (sizeof(PolygonGroup) + sizeof(ShadingGroup) + (has_ramps ? gouraud::ramp_size * 2 : 0));
     peaks_.vertices = used_.vertices * sizeof(ScreenVertex);
     peaks_.shades = used_.shades * sizeof(std::uint32_t);
+    peaks_.textures =
+        used_.textures * sizeof(TextureVertex) + (has_textures ? table_.group_count * sizeof(TexturedGroup) : 0);
     peaks_.polygons = table_.polygon_count * sizeof(PolygonReference);
     peaks_.fans = table_.fan_count * sizeof(FanTriangle);
     peaks_.active = Visibility::Memory::bytes(visibility_.peak());

@@ -4,14 +4,14 @@
 namespace spanline {
 
 /// The renderer's pools: parts of the caller's memory.
-enum class Pool : std::uint8_t { none, memory, instances, vertices, shades, polygons, fans, active };
+enum class Pool : std::uint8_t { none, memory, instances, vertices, shades, textures, polygons, fans, active };
 
 enum class Fault : std::uint8_t {
   none,
   pool_full,  ///< `pool` was too small; it would have taken `wanted` entries (bytes for `memory`). What fits was drawn
   bad_configuration,   ///< sizes outside their ranges
   bad_settings,        ///< near, far or focal outside their ranges
-  shader_missing,      ///< a material's shading mode is not among the renderer's shaders; the instance was left out
+  shader_missing,      ///< no shader of the renderer's serves a material; the instance was left out
   sink_failed,         ///< the sink gave the frame up
   too_many_triangles,  ///< in one call: triangle numbers would not fit; nothing was added
 };
@@ -26,7 +26,8 @@ struct [[nodiscard]] Status {
 };
 
 [[nodiscard]] constexpr const char* to_string(Pool pool) {
-  constexpr const char* names[] = {"none", "memory", "instances", "vertices", "shades", "polygons", "fans", "active"};
+  constexpr const char* names[] = {"none",     "memory",   "instances", "vertices", "shades",
+                                   "textures", "polygons", "fans",      "active"};
   return names[static_cast<unsigned>(pool)];
 }
 [[nodiscard]] constexpr const char* to_string(Fault fault) {

@@ -6,6 +6,7 @@
 #include "spanline/shade/pixel_format.hpp"
 #include "spanline/shade/polygon_id.hpp"
 #include "spanline/shade/shader_list.hpp"
+#include "spanline/shade/textured.hpp"
 #include "spanline/visibility/depth_buffer.hpp"
 #include "spanline/visibility/span/spanning_scan_line.hpp"
 
@@ -38,15 +39,38 @@ using FullTraits =
 template <class Depth = Depth16<>, bool Statistics = false, class Visibility = ZBuffer>
 using IdTraits = RendererTraits<Depth, PolygonIds, ShaderList<IdShader>, Statistics, Visibility>;
 
-/// The place in the list of the shader that serves a material; the list's `count` if there is none.
+/// Textures of RGB565 that repeat, read at their nearest texel, beside flat and Gouraud shading: unlit, and under white
+/// light of either kind.
+template <class Format = Rgb565, class Depth = Depth16<>, bool Statistics = false, class Visibility = ZBuffer>
+using TextureTraits = RendererTraits<Depth, Format,
+                                     ShaderList<FlatShader<Format>, GouraudShader<Format>, GouraudColourShader<Format>,
+                                                RepeatedTextureShader<Format, TexelFormat::rgb565, NoTexelLight>,
+                                                RepeatedTextureShader<Format, TexelFormat::rgb565, FlatTexelLight>,
+                                                RepeatedTextureShader<Format, TexelFormat::rgb565, GouraudTexelLight>>,
+                                     Statistics, Visibility>;
+
+/// Whether a shader draws textures: it says which materials it serves.
+template <class Shader>
+concept DrawsTextures = requires(const Material& material) {
+  Shader::serves(material, true);
+};
+
+/// The place in the list of the shader that serves a material on a mesh; the list's `count` if there is none.
 template <class Traits>
-[[nodiscard]] constexpr std::uint8_t shader_for(ShadingMode mode, bool vertex_colours) {
+[[nodiscard]] constexpr std::uint8_t shader_for(const Material& material, bool vertex_colours, bool textured) {
   using Shaders = typename Traits::Shaders;
   using Format = typename Traits::Format;
   if constexpr (Shaders::template index_of<IdShader> < Shaders::count) {
     return Shaders::template index_of<IdShader>;
   } else {
-    if (mode == ShadingMode::flat) return Shaders::template index_of<FlatShader<Format>>;
+    if (textured)
+      return Shaders::first([&]<class Shader>() {
+        if constexpr (DrawsTextures<Shader>)
+          return Shader::serves(material, vertex_colours);
+        else
+          return false;
+      });
+    if (material.shading == ShadingMode::flat) return Shaders::template index_of<FlatShader<Format>>;
     if (vertex_colours) return Shaders::template index_of<GouraudColourShader<Format>>;
     return Shaders::template index_of<GouraudShader<Format>>;
   }

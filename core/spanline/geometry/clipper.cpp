@@ -5,6 +5,7 @@
 
 #include "spanline/math/bits.hpp"
 #include "spanline/math/integer.hpp"
+#include "spanline/raster/texture_vertex.hpp"
 
 namespace spanline {
 namespace {
@@ -69,6 +70,8 @@ ClipVertex Clipper::intersection(unsigned plane, const ClipVertex& a, std::int64
                 from.point.z + scaled(to.point.z - from.point.z, t)};
   if (plane == near_plane) made.point.z = near_;
   if (plane == far_plane) made.point.z = far_;
+  made.s = TextureVertex::mix(from.s, to.s, t);
+  made.t = TextureVertex::mix(from.t, to.t, t);
   made.shade = vertex_shade::mix(shades_, from.shade, to.shade, t);
   return made;
 }

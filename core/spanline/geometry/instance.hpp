@@ -20,8 +20,15 @@ class InstanceGeometry {
 
   /// Clipping for this instance. The context refers to this object, to `clipper` and to `store`.
   [[nodiscard]] Clipper clipper(vertex_shade::Kind shades) const { return {view_, transform_, shades}; }
-  [[nodiscard]] PolygonAssembly::ClipContext clip_context(const Clipper& clipper, VertexStore& store) const {
-    return {&clipper, &transform_, &projection_, &store};
+  [[nodiscard]] PolygonAssembly::ClipContext clip_context(const Clipper& clipper, VertexStore& store,
+                                                          TextureVertexMaker textures = {}) const {
+    return {&clipper, &transform_, &projection_, textures, &store};
+  }
+
+  /// Texturing for this instance.
+  [[nodiscard]] Nearness nearness() const { return {view_, transform_}; }
+  void make_texture_vertices(const Nearness& nearness, const TextureMatrix& matrix, TextureVertex* out) const {
+    spanline::make_texture_vertices(transform_, nearness, mesh_, matrix, out);
   }
 
  private:

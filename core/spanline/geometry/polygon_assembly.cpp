@@ -132,9 +132,15 @@ void PolygonAssembly::clip_triangle(const Mesh& mesh, const ClipContext& clip, c
                                     const Link (&corner)[3], Link triangle, Link polygon) {
   VertexStore& store = *clip.store;
   ClipPolygon piece;
-  for (unsigned i = 0; i < 3; ++i)
-    piece.vertex[i] = {view_point(*clip.transform, mesh, corner[i]), store.shades.empty() ? 0 : store.shades[corner[i]],
-                       corner[i], (vertices[corner[i]].depth_word & (outcode_near | outcode_guard)) == 0};
+  for (unsigned i = 0; i < 3; ++i) {
+    const bool textured = !store.textures.empty();
+    piece.vertex[i] = {view_point(*clip.transform, mesh, corner[i]),
+                       store.shades.empty() ? 0 : store.shades[corner[i]],
+                       textured ? store.textures[corner[i]].s : 0,
+                       textured ? store.textures[corner[i]].t : 0,
+                       corner[i],
+                       (vertices[corner[i]].depth_word & (outcode_near | outcode_guard)) == 0};
+  }
   piece.count = 3;
   clip.clipper->clip(piece);
   if (piece.count == 0) {
@@ -172,6 +178,9 @@ void PolygonAssembly::clip_triangle(const Mesh& mesh, const ClipContext& clip, c
       number[j] = store.count++;
       store.vertices[number[j]] = screen[j];
       if (!store.shades.empty()) store.shades[number[j]] = piece.vertex[j].shade;
+      if (!store.textures.empty())
+        store.textures[number[j]] =
+            clip.textures.make(*clip.textures.nearness, piece.vertex[j].point.z, piece.vertex[j].s, piece.vertex[j].t);
     }
     if (number[0] != no_link && number[i] != no_link && number[i + 1] != no_link)
       append_fan(band, {{number[0], number[i], number[i + 1]}, triangle, polygon});

@@ -4,6 +4,7 @@
 
 #include "spanline/geometry/clipper.hpp"
 #include "spanline/geometry/projection.hpp"
+#include "spanline/geometry/texture_vertices.hpp"
 #include "spanline/geometry/view_space.hpp"
 #include "spanline/model/mesh.hpp"
 #include "spanline/raster/polygon_table.hpp"
@@ -37,10 +38,11 @@ class BandOfRow {
   std::uint32_t lines_ = 1, inverse_ = 1u << 21;
 };
 
-/// Room for vertices and shades that clipping makes, behind those of the instance.
+/// Room for vertices, with their shades and textures, that clipping makes, behind those of the instance.
 struct VertexStore {
   std::span<ScreenVertex> vertices;   ///< of the instance: its own come first
   std::span<std::uint32_t> shades;    ///< parallel to `vertices`, or empty
+  std::span<TextureVertex> textures;  ///< parallel to `vertices`, or empty
   Link count = 0;                     ///< in use
   std::uint32_t wanted_vertices = 0;  ///< that did not fit
 };
@@ -57,6 +59,7 @@ class PolygonAssembly {
     const Clipper* clipper = nullptr;
     const ViewTransform* transform = nullptr;
     const PointProjection* projection = nullptr;
+    TextureVertexMaker textures{};
     VertexStore* store = nullptr;
   };
 

@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include "spanline/model/colour.hpp"
+#include "spanline/model/texture.hpp"
 
 namespace spanline {
 
@@ -12,10 +13,45 @@ enum class ShadingMode : std::uint8_t {
   gouraud,  ///< intensity interpolated between the vertices; with vertex colours, the colour too
 };
 
+/// How a texel Ct and the lit surface colour Cf make the pixel (lecture 004, texture functions; OpenGL's glTexEnv).
+enum class TextureFunction : std::uint8_t {
+  modulate,  ///< Ct·Cf
+  replace,   ///< Ct: no light
+  decal,     ///< Ct where the texel is there, Cf where it is not
+  blend,     ///< Cf·(1 − Ct) + blend colour·Ct, channel by channel
+};
+
+enum class TextureFilter : std::uint8_t { nearest, bilinear };
+
+/// How texture coordinates run over a polygon on screen.
+enum class TextureMapping : std::uint8_t {
+  perspective,  ///< as they should; polygons so small or so level that it makes no difference are drawn affine
+  affine,       ///< linear over the screen: cheaper, and wrong where the depth of a polygon varies
+};
+
+/// Whether a texture's mip levels are used.
+enum class MipMapping : std::uint8_t {
+  none,     ///< level 0
+  polygon,  ///< one level a polygon
+  span,     ///< one level for each 16 columns of a row
+};
+
+/// How a texture is laid on a surface.
+struct Texturing {
+  const Texture* texture = nullptr;  ///< null: none; must stay until the frame is drawn
+  TextureFunction function = TextureFunction::modulate;
+  TextureFilter filter = TextureFilter::nearest;
+  TextureMapping mapping = TextureMapping::perspective;
+  MipMapping mip_mapping = MipMapping::none;
+  Rgb888 blend_colour{};  ///< of TextureFunction::blend
+};
+
 /// What a surface looks like. Colours of the mesh, where it has them, replace `colour`.
 struct Material {
   Rgb888 colour{};
   ShadingMode shading = ShadingMode::flat;
+  Texturing texturing{};  ///< of meshes with texture coordinates; others are drawn without
+  TextureMatrix texture_matrix{};
 };
 
 }  // namespace spanline

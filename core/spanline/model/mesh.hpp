@@ -4,6 +4,7 @@
 
 #include "spanline/math/vector.hpp"
 #include "spanline/model/colour.hpp"
+#include "spanline/model/texture.hpp"
 
 namespace spanline {
 
@@ -56,13 +57,15 @@ struct Mesh {
   std::span<const std::uint16_t> indices{};   ///< corner indices, polygon after polygon
   std::span<const std::uint8_t> corners{};    ///< corners of each polygon; empty: all are triangles
 
-  std::span<const PackedNormal> polygon_normals{};  ///< one a polygon, for flat light; empty: fully lit
-  std::span<const PackedNormal> vertex_normals{};   ///< one a vertex, for Gouraud light; empty: fully lit
-  std::span<const Rgb888> polygon_colours{};        ///< one a polygon; empty: the material's colour
-  std::span<const Rgb888> vertex_colours{};         ///< one a vertex; empty: the material's colour
+  std::span<const PackedNormal> polygon_normals{};           ///< one a polygon, for flat light; empty: fully lit
+  std::span<const PackedNormal> vertex_normals{};            ///< one a vertex, for Gouraud light; empty: fully lit
+  std::span<const Rgb888> polygon_colours{};                 ///< one a polygon; empty: the material's colour
+  std::span<const Rgb888> vertex_colours{};                  ///< one a vertex; empty: the material's colour
+  std::span<const TextureCoordinate> texture_coordinates{};  ///< one a vertex; empty: never textured
 
-  Vec3<std::int32_t> offset{};      ///< steps, added to every vertex; |component| ≤ 2^30
-  std::int8_t step_exponent = -13;  ///< world units a step are 2^step_exponent; [−30, 14]
+  Vec3<std::int32_t> offset{};         ///< steps, added to every vertex; |component| ≤ 2^30
+  std::int8_t step_exponent = -13;     ///< world units a step are 2^step_exponent; [−30, 14]
+  std::int8_t texture_exponent = -14;  ///< a unit of texture coordinates is 2^texture_exponent textures; [−20, −5]
   BoundingSphere bounds{};
 
   [[nodiscard]] constexpr std::size_t vertex_count() const {

@@ -22,6 +22,8 @@ MeshReport check_sizes(const Mesh& mesh) {
   if (!none_or(mesh.vertex_normals.size(), vertices)) return fault(MeshFault::vertex_normals_count);
   if (!none_or(mesh.polygon_colours.size(), polygons)) return fault(MeshFault::polygon_colours_count);
   if (!none_or(mesh.vertex_colours.size(), vertices)) return fault(MeshFault::vertex_colours_count);
+  if (!none_or(mesh.texture_coordinates.size(), vertices)) return fault(MeshFault::texture_coordinates_count);
+  if (mesh.texture_exponent < -20 || mesh.texture_exponent > -5) return fault(MeshFault::texture_exponent_range);
   if (mesh.step_exponent < -30 || mesh.step_exponent > 14) return fault(MeshFault::step_exponent_range);
   if (!in_range(mesh.offset.x) || !in_range(mesh.offset.y) || !in_range(mesh.offset.z))
     return fault(MeshFault::vertex_out_of_range);
@@ -102,6 +104,10 @@ const char* to_string(MeshFault fault) {
       return "polygon colours do not match the polygons";
     case MeshFault::vertex_colours_count:
       return "vertex colours do not match the vertices";
+    case MeshFault::texture_coordinates_count:
+      return "texture coordinates do not match the vertices";
+    case MeshFault::texture_exponent_range:
+      return "texture exponent out of range";
     case MeshFault::step_exponent_range:
       return "step exponent out of range";
     case MeshFault::bounds_too_small:

@@ -8,21 +8,23 @@ namespace spanline {
 /// What is wrong with a mesh.
 enum class MeshFault : std::uint8_t {
   none,
-  no_vertices,            ///< neither vertex table holds anything
-  two_vertex_tables,      ///< both vertex tables hold something
-  too_many_vertices,      ///< more than Mesh::max_vertices
-  no_polygons,            ///< no index at all
-  too_many_polygons,      ///< more than Mesh::max_polygons
-  ragged_indices,         ///< index count and corner counts do not fit together
-  corner_count,           ///< a polygon with fewer than 3 or more than 8 corners
-  index_out_of_range,     ///< an index beyond the vertex table
-  vertex_out_of_range,    ///< a wide coordinate or the offset beyond 2^30
-  polygon_normals_count,  ///< neither none nor one a polygon
-  vertex_normals_count,   ///< neither none nor one a vertex
-  polygon_colours_count,  ///< neither none nor one a polygon
-  vertex_colours_count,   ///< neither none nor one a vertex
-  step_exponent_range,    ///< outside [−30, 14]
-  bounds_too_small,       ///< a vertex outside the bounding sphere
+  no_vertices,                ///< neither vertex table holds anything
+  two_vertex_tables,          ///< both vertex tables hold something
+  too_many_vertices,          ///< more than Mesh::max_vertices
+  no_polygons,                ///< no index at all
+  too_many_polygons,          ///< more than Mesh::max_polygons
+  ragged_indices,             ///< index count and corner counts do not fit together
+  corner_count,               ///< a polygon with fewer than 3 or more than 8 corners
+  index_out_of_range,         ///< an index beyond the vertex table
+  vertex_out_of_range,        ///< a wide coordinate or the offset beyond 2^30
+  polygon_normals_count,      ///< neither none nor one a polygon
+  vertex_normals_count,       ///< neither none nor one a vertex
+  polygon_colours_count,      ///< neither none nor one a polygon
+  vertex_colours_count,       ///< neither none nor one a vertex
+  texture_coordinates_count,  ///< neither none nor one a vertex
+  step_exponent_range,        ///< outside [−30, 14]
+  texture_exponent_range,     ///< outside [−20, −5]
+  bounds_too_small,           ///< a vertex outside the bounding sphere
 };
 
 /// The first fault of a mesh and where it stands: `at` is an index into the table that the fault names.

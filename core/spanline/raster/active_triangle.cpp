@@ -22,7 +22,11 @@ Edge edge_between(const ScreenVertex& from, const ScreenVertex& to, std::int32_t
 }  // namespace
 
 void AttributeGradients::fit_wide(std::int32_t a, std::int32_t b, std::int32_t c, LinearFunction& function) const {
-  function = Gradients(t_, area_, viewport_).fit(a, b, c, 16, active_.row);
+  fit_fine({a, b, c}, 16, function);
+}
+
+void AttributeGradients::fit_fine(const std::array<std::int32_t, 3>& values, int bits, LinearFunction& function) const {
+  function = Gradients(t_, area_, viewport_).fit(values[0], values[1], values[2], bits, active_.row);
   function.at_origin += function.dx * word(active_.origin);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 #include "spanline/raster/depth_format.hpp"
@@ -66,6 +67,16 @@ class AttributeGradients {
 
   /// Number of a corner within its group.
   [[nodiscard]] std::size_t index(const ScreenVertex* v) const { return static_cast<std::size_t>(v - first_vertex_); }
+
+  /// The corners, in the order in which `fit_fine` takes their values; twice the area in square sixteenths; the screen
+  /// column and row from which the functions count.
+  [[nodiscard]] std::array<const ScreenVertex*, 3> corners() const { return {t_.a, t_.b, t_.c}; }
+  [[nodiscard]] std::int64_t doubled_area() const { return area_; }
+  [[nodiscard]] std::int32_t origin() const { return active_.origin; }
+  [[nodiscard]] std::int32_t row() const { return active_.row - row_bias; }
+
+  /// Through values of up to `bits` bits, with 32 − bits guard bits: attributes that want more than `fit` gives.
+  void fit_fine(const std::array<std::int32_t, 3>& values, int bits, LinearFunction& function) const;
 
   /// `value_of` gives a value in [0, 65535] for a corner; the function has 16 guard bits and stands at the active
   /// triangle's row and origin.

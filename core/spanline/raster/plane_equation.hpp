@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -66,6 +67,17 @@ class PlaneEquation {
 
   /// Number of a corner within its group.
   [[nodiscard]] std::size_t index(const ScreenVertex* v) const { return static_cast<std::size_t>(v - first_vertex_); }
+
+  /// The corners, in the order in which `fit_fine` takes their values; the screen column and row from which the
+  /// functions count.
+  [[nodiscard]] std::array<const ScreenVertex*, 3> corners() const { return {triangle_.a, triangle_.b, triangle_.c}; }
+  [[nodiscard]] static std::int32_t origin() { return 0; }
+  [[nodiscard]] static std::int32_t row() { return 0; }
+
+  /// Through values of up to `bits` bits, with 32 − bits guard bits: attributes that want more than `fit` gives.
+  void fit_fine(const std::array<std::int32_t, 3>& values, int bits, LinearFunction& function) const {
+    function = wide(values[0], values[1], values[2], bits);
+  }
 
   /// What shaders make their surfaces from: `value_of` gives a value in [0, 65535] for a corner; the function has 16
   /// guard bits.

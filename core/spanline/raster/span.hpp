@@ -24,6 +24,31 @@ concept PixelSource = requires(S source, const S& view) {
   source.back();
 };
 
+/// A source whose surface has holes (cut-out textures): it tells whether there is anything at the current column.
+template <class S>
+concept SourceWithHoles = requires(const S& view) {
+  { view.present() } -> std::convertible_to<bool>;
+}
+&&S::has_holes;
+
+/// What a surface of blocks gives in the place of one source: pieces of a run, cut at screen columns that belong to the
+/// surface and not to the run, so that a pixel is the same wherever its run begins. It stands at a column; `rest` is
+/// how many pixels of the piece are left there, `source` a plain source for them, and `next` goes on to the piece
+/// behind it.
+template <class B>
+concept RunBlocks = requires(B blocks, const B& view) {
+  { view.rest() } -> std::convertible_to<std::uint32_t>;
+  { view.source() } -> PixelSource;
+  blocks.next();
+};
+
+/// A surface whose attributes are not linear over the screen (perspective textures): a run is drawn in pieces, each of
+/// which is.
+template <class S>
+concept SurfaceInBlocks = requires(const S& surface, std::int32_t column) {
+  { surface.blocks(column) } -> RunBlocks;
+};
+
 /// Numbers of polygons and vertices inside a frame: 16 bits on microcontrollers (65,534 polygons), 32 bits where
 /// pointers have 64.
 using Link = std::conditional_t<(sizeof(void*) > 4), std::uint32_t, std::uint16_t>;
@@ -34,5 +59,17 @@ struct PolygonCorners {
   Link triangle;  ///< triangle number within the group
   Link polygon;   ///< polygon number within the mesh
 };
+
+/// Makes a shader's surface for a polygon, by what that shader asks for: the polygon, its gradients, or both.
+template <class Shader, class Group, class Gradients>
+[[gnu::always_inline]] inline void make_surface(typename Shader::Surface& surface, const Group& group,
+                                                const PolygonCorners& polygon, const Gradients& gradients) {
+  if constexpr (!Shader::interpolates)
+    Shader::make(surface, group, polygon);
+  else if constexpr (requires { Shader::make(surface, group, polygon, gradients); })
+    Shader::make(surface, group, polygon, gradients);
+  else
+    Shader::make(surface, group, gradients);
+}
 
 }  // namespace spanline

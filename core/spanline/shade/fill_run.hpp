@@ -1,5 +1,4 @@
 #pragma once
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 
@@ -8,38 +7,28 @@
 
 namespace spanline {
 
-/// What a surface of blocks gives in the place of one source: pieces of a run, cut at screen columns that belong to the
-/// surface and not to the run, so that a pixel is the same wherever its run begins. It stands at a column; `rest` is
-/// how many pixels of the piece are left there, `source` a plain source for them, and `next` goes on to the piece
-/// behind it.
-template <class B>
-concept RunBlocks = requires(B blocks, const B& view) {
-  { view.rest() } -> std::convertible_to<std::uint32_t>;
-  { view.source() } -> PixelSource;
-  blocks.next();
-};
-
-/// A surface whose attributes are not linear over the screen (perspective textures): a run is drawn in pieces, each of
-/// which is.
-template <class S>
-concept SurfaceInBlocks = requires(const S& surface, std::int32_t column) {
-  { surface.blocks(column) } -> RunBlocks;
-};
-
 namespace fill_detail {
+
+template <PixelSource Source, class Pixel>
+[[gnu::always_inline]] inline void put(Pixel* pixel, const Source& source) {
+  if constexpr (SourceWithHoles<Source>) {
+    if (!source.present()) return;
+  }
+  *pixel = source.get();
+}
 
 template <PixelSource Source, class Pixel>
 [[gnu::always_inline]] inline void fill_stepped(Pixel* pixels, std::uint32_t count, Source& source) {
   for (; count >= 4; count -= 4) {
 #pragma GCC unroll 4
     for (std::size_t i = 0; i < 4; ++i) {
-      pixels[i] = source.get();
+      put(pixels + i, source);
       source.forward();
     }
     pixels += 4;
   }
   for (; count != 0; --count) {
-    *pixels++ = source.get();
+    put(pixels++, source);
     source.forward();
   }
 }

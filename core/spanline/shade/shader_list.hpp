@@ -44,6 +44,14 @@ struct ShaderList {
     return found ? i : static_cast<std::uint8_t>(count);
   }();
 
+  /// Place of the first shader for which f.template operator()<Shader>() holds; `count` if there is none.
+  template <class F>
+  [[nodiscard]] static constexpr std::uint8_t first(F&& f) {
+    std::uint8_t i = 0;
+    const bool found = ((f.template operator()<Shaders>() || (++i, false)) || ...);
+    return found ? i : static_cast<std::uint8_t>(count);
+  }
+
   /// Calls f.template operator()<Shader>() for the shader at `index`.
   template <class F>
   static inline auto with(std::uint8_t index, F&& f) {

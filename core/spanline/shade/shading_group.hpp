@@ -2,7 +2,9 @@
 #include <cstdint>
 
 #include "spanline/model/light.hpp"
+#include "spanline/model/material.hpp"
 #include "spanline/model/mesh.hpp"
+#include "spanline/raster/texture_vertex.hpp"
 #include "spanline/shade/pixel_format.hpp"
 
 namespace spanline {
@@ -18,15 +20,24 @@ struct ModelLight {
   }
 };
 
+/// What shaders need to know of a textured group besides.
+struct TexturedGroup {
+  const TextureVertex* vertices;  ///< one a vertex
+  Texturing texturing;
+};
+
 /// What shaders need to know of a group of polygons.
 struct ShadingGroup {
-  const Mesh* mesh = nullptr;                     ///< null for triangles given on screen
-  const std::uint16_t* screen_colours = nullptr;  ///< RGB565, one a triangle, for triangles given on screen
-  const std::uint32_t* vertex_shades = nullptr;   ///< Gouraud: one a vertex (gouraud.hpp)
-  const std::uint16_t* ramp = nullptr;            ///< Gouraud without vertex colours: 64 pixels
-  std::uint32_t first_id = 0;                     ///< id of the group's triangle 0
-  LitColour colour{};                             ///< the material's
-  std::uint16_t ambient = 65535;                  ///< 1/65536
+  const Mesh* mesh = nullptr;  ///< null for triangles given on screen
+  union {
+    const std::uint16_t* screen_colours = nullptr;  ///< of triangles given on screen: RGB565, one a triangle
+    const TexturedGroup* textured;                  ///< of a mesh: for shaders of textures
+  };
+  const std::uint32_t* vertex_shades = nullptr;  ///< Gouraud: one a vertex (gouraud.hpp)
+  const std::uint16_t* ramp = nullptr;           ///< Gouraud without vertex colours: 64 pixels
+  std::uint32_t first_id = 0;                    ///< id of the group's triangle 0
+  LitColour colour{};                            ///< the material's
+  std::uint16_t ambient = 65535;                 ///< 1/65536
   std::uint8_t light_count = 0;
   std::uint8_t shader = 0;  ///< place in the renderer's list of shaders
   ModelLight lights[Lighting::max_lights] = {};

@@ -150,7 +150,9 @@ class DepthBuffer {
     Shaders::with(job.shading->shader, [&]<class Shader>() {
       typename Shader::Surface surface;
       const auto [a, b, c] = corners.corner;
-      if constexpr (Shader::interpolates) {
+      if constexpr (SurfaceInBlocks<typename Shader::Surface>) {
+        if (!activate_in_blocks<Shader>(corners, job, surface)) return;
+      } else if constexpr (Shader::interpolates) {
         if (!activate<Shader>(a, b, c, job, surface)) return;
       } else {
         if (!activate_plain(a, b, c, job)) return;
@@ -171,6 +173,14 @@ class DepthBuffer {
                                          Job<ShadingGroup>& job, typename Shader::Surface& surface) {
     return set_up<Depth>(a, b, c, *job.group, job.viewport, job.triangle,
                          [&](const AttributeGradients& gradients) { Shader::make(surface, *job.shading, gradients); });
+  }
+  template <class Shader, class ShadingGroup>
+  [[gnu::noinline]] static bool activate_in_blocks(const PolygonCorners& corners, Job<ShadingGroup>& job,
+                                                   typename Shader::Surface& surface) {
+    const auto [a, b, c] = corners.corner;
+    return set_up<Depth>(a, b, c, *job.group, job.viewport, job.triangle, [&](const AttributeGradients& gradients) {
+      Shader::make(surface, *job.shading, corners, gradients);
+    });
   }
   template <class ShadingGroup>
   [[gnu::noinline]] static bool activate_plain(const ScreenVertex* a, const ScreenVertex* b, const ScreenVertex* c,

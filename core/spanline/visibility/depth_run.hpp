@@ -26,6 +26,9 @@ struct DepthRun {
     const std::uint32_t candidate = Depth::stored(z);
     if (__builtin_expect(Depth::hides(candidate, depth[i]), true)) {
       keep_branch();
+      if constexpr (SourceWithHoles<Source>) {
+        if (!source.present()) return;
+      }
       depth[i] = static_cast<Word>(candidate);
       pixels[i] = source.get();
     }

@@ -4,6 +4,7 @@
 
 #include "spanline/raster/active_triangle.hpp"
 #include "spanline/visibility/band_target.hpp"
+#include "spanline/visibility/block_run.hpp"
 #include "spanline/visibility/depth_run.hpp"
 
 namespace spanline {
@@ -83,6 +84,12 @@ class TriangleRows {
     else
       return source;
   }
+  template <RunBlocks Blocks>
+  static void block_run(typename Depth::Word* depth, Pixel* pixels, std::uint32_t pixel_count, std::uint32_t z,
+                        std::uint32_t dz, const Blocks& blocks, const Target& target) {
+    BlockRun<Depth, Pixel>::run(depth, pixels, pixel_count, z, dz, blocks,
+                                [&](const auto& source) { return counted(source, target); });
+  }
   static void count(const Target& target, std::uint32_t pixels) {
     if constexpr (Counting) {
       ++target.counters->spans;
@@ -127,7 +134,10 @@ class TriangleRows {
           count(target, end - first);
           auto* depth = row.depth(first);
           Pixel* pixels = row.pixels(depth, first);
-          if (FractionBits == small_triangle::fraction_bits || end - first <= Run::short_limit) {
+          if constexpr (SurfaceInBlocks<Surface>) {
+            block_run(depth, pixels, end - first, z + dz * first, dz, surface.blocks(static_cast<std::int32_t>(first)),
+                      target);
+          } else if (FractionBits == small_triangle::fraction_bits || end - first <= Run::short_limit) {
             Run::short_run(depth, pixels, end - first, z + dz * (end - 1), dz,
                            counted(surface.source(static_cast<std::int32_t>(end - 1)), target));
           } else {
@@ -178,8 +188,12 @@ class TriangleRows {
       if (end > first) {
         const std::uint32_t pixel_count = word(end - first);
         count(target, pixel_count);
-        Run::run(depth + first, pixels + first, pixel_count, z + dz * word(first), dz,
-                 counted(surface.source(first), target));
+        if constexpr (SurfaceInBlocks<Surface>)
+          block_run(depth + first, pixels + first, pixel_count, z + dz * word(first), dz, surface.blocks(first),
+                    target);
+        else
+          Run::run(depth + first, pixels + first, pixel_count, z + dz * word(first), dz,
+                   counted(surface.source(first), target));
       }
       left.next_row();
       right.next_row();

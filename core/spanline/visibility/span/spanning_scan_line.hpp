@@ -151,7 +151,7 @@ class SpanningScanLine {
       auto* surface = new (entry.surface.bytes) typename Shader::Surface;
       entry.has_surface = true;
       if constexpr (Shader::interpolates) {
-        Shader::make(*surface, group, this->plane_equation(entry));
+        spanline::make_surface<Shader>(*surface, group, this->corners(entry), this->plane_equation(entry));
         entry.surface_row = 0;
       } else {
         Shader::make(*surface, group, this->corners(entry));

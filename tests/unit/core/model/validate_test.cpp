@@ -22,6 +22,7 @@ OwnedMesh full_mesh() {
   mesh.polygon_colours.resize(3);
   mesh.vertex_normals.resize(8);
   mesh.vertex_colours.resize(8);
+  mesh.texture_coordinates.resize(8);
   mesh.fit_bounds();
   return mesh;
 }
@@ -89,6 +90,7 @@ TEST(Validate, WantsNoneOrOneAttributeEach) {
   spoil(&OwnedMesh::vertex_normals, MeshFault::vertex_normals_count);
   spoil(&OwnedMesh::polygon_colours, MeshFault::polygon_colours_count);
   spoil(&OwnedMesh::vertex_colours, MeshFault::vertex_colours_count);
+  spoil(&OwnedMesh::texture_coordinates, MeshFault::texture_coordinates_count);
 }
 
 TEST(Validate, NamesTheVertexOutsideTheSphere) {
@@ -143,6 +145,17 @@ TEST(Validate, KeepsStepExponentsInTheirRange) {
       EXPECT_TRUE(validate(mesh.view()).ok()) << exponent;
     else
       expect_fault(mesh, MeshFault::step_exponent_range);
+  }
+}
+
+TEST(Validate, KeepsTextureExponentsInTheirRange) {
+  OwnedMesh mesh = tetrahedron();
+  for (int exponent = -128; exponent <= 127; ++exponent) {
+    mesh.texture_exponent = static_cast<std::int8_t>(exponent);
+    if (exponent >= -20 && exponent <= -5)
+      EXPECT_TRUE(validate(mesh.view()).ok()) << exponent;
+    else
+      expect_fault(mesh, MeshFault::texture_exponent_range);
   }
 }
 

@@ -14,7 +14,7 @@ using Ids = IdTraits<Depth16<>, true>;
   c.band_lines = c.height;
   c.colour_bands = 1;
   c.instances = static_cast<std::uint32_t>(instances);
-  c.vertices = c.shades = static_cast<std::uint32_t>(vertices + 9 * triangles);
+  c.vertices = c.shades = c.textures = static_cast<std::uint32_t>(vertices + 9 * triangles);
   c.polygons = c.fans = static_cast<std::uint32_t>(7 * triangles);
   return c;
 }

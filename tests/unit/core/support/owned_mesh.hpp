@@ -16,6 +16,8 @@ struct OwnedMesh {
   std::vector<std::uint8_t> corners;
   std::vector<PackedNormal> polygon_normals, vertex_normals;
   std::vector<Rgb888> polygon_colours, vertex_colours;
+  std::vector<TextureCoordinate> texture_coordinates;
+  std::int8_t texture_exponent = -14;
   Vec3<std::int32_t> offset{};
   std::int8_t step_exponent = -13;
   BoundingSphere bounds{};
@@ -30,6 +32,8 @@ struct OwnedMesh {
     mesh.vertex_normals = vertex_normals;
     mesh.polygon_colours = polygon_colours;
     mesh.vertex_colours = vertex_colours;
+    mesh.texture_coordinates = texture_coordinates;
+    mesh.texture_exponent = texture_exponent;
     mesh.offset = offset;
     mesh.step_exponent = step_exponent;
     mesh.bounds = bounds;

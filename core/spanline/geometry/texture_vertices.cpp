@@ -1,0 +1,73 @@
+#include "spanline/geometry/texture_vertices.hpp"
+
+#include <algorithm>
+
+#include "spanline/geometry/vertex_transform.hpp"
+#include "spanline/math/bits.hpp"
+#include "spanline/math/integer.hpp"
+#include "spanline/math/reciprocal.hpp"
+
+namespace spanline {
+namespace {
+
+constexpr std::uint32_t nearest_of_all = 1u << 31;
+
+std::uint32_t normalised(std::int64_t value, int& zeros) {
+  const auto positive = static_cast<std::uint64_t>(std::max<std::int64_t>(1, value));
+  zeros = leading_zeros_64(positive);
+  return static_cast<std::uint32_t>((positive << zeros) >> 32);
+}
+
+/// One row of the texture matrix on coordinates of the mesh.
+struct MatrixRow {
+  std::int64_t s, t, one;
+  int shift;
+
+  MatrixRow(Q16_16 of_s, Q16_16 of_t, Q16_16 offset, int texture_exponent)
+      : s(of_s.raw()),
+        t(of_t.raw()),
+        one(static_cast<std::int64_t>(offset.raw()) * (1 << (TextureUnits::fraction_bits - 16))),
+        shift(16 - TextureUnits::fraction_bits - texture_exponent) {}
+  [[nodiscard]] std::int32_t operator()(TextureCoordinate c) const {
+    return static_cast<std::int32_t>(shift_rounded(s * c.s + t * c.t, shift) + one);
+  }
+};
+
+}  // namespace
+
+Nearness::Nearness(const FrameView& view, const ViewTransform& transform)
+    : perspective_(view.camera.projection == Projection::perspective) {
+  nearest_ = normalised(std::max(transform.near_plane(), transform.sphere_centre().z - transform.sphere_radius()),
+                        nearest_zeros_);
+}
+
+std::uint32_t Nearness::operator()(std::int64_t z) const {
+  if (!perspective_) return nearest_of_all;
+  int zeros;
+  const std::uint32_t distance = normalised(z, zeros);
+  const int shift = nearest_zeros_ - zeros;  // the distance has so many bits more
+  if (shift < 0) return nearest_of_all;
+  if (shift > 31) return 1;
+  // nearest/distance · 2^30 in (2^29, 2^31]
+  const std::uint32_t ratio = multiply_high(nearest_, reciprocal_32(distance));
+  const std::uint32_t scaled = shift == 0 ? std::min(ratio, nearest_of_all / 2) * 2 : ratio >> (shift - 1);
+  return std::clamp<std::uint32_t>(scaled, 1, nearest_of_all);
+}
+
+void make_texture_vertices(const ViewTransform& transform, const Nearness& nearness, const Mesh& mesh,
+                           const TextureMatrix& matrix, TextureVertex* out) {
+  const MatrixRow row_s(matrix.ss, matrix.st, matrix.s0, mesh.texture_exponent);
+  const MatrixRow row_t(matrix.ts, matrix.tt, matrix.t0, mesh.texture_exponent);
+  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
+    const TextureCoordinate& c = mesh.texture_coordinates[i];
+    out[i] = {nearness(view_point(transform, mesh, i).z), row_s(c), row_t(c)};
+  }
+}
+
+TextureVertexMaker TextureVertexMaker::for_instance(const Nearness& nearness) {
+  return {&nearness, [](const Nearness& scale, std::int64_t z, std::int32_t s, std::int32_t t) {
+            return TextureVertex{scale(z), s, t};
+          }};
+}
+
+}  // namespace spanline

@@ -1,0 +1,97 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "spanline/math/fixed.hpp"
+
+namespace spanline {
+
+/// How texels lie in flash.
+enum class TexelFormat : std::uint8_t {
+  rgb565,         ///< a word a texel: red in bits 15…11, green in 10…5, blue in 4…0
+  rgb565_cutout,  ///< the same, and bit 5 (the lowest of green) tells whether the texel is there
+  argb4444,       ///< a word a texel: alpha in bits 15…12, then red, green, blue; there from alpha 8 on
+  palette16,      ///< four bits a texel, the left one in the low half of a byte, rows of whole bytes
+  palette256,     ///< a byte a texel
+};
+
+/// What lies beyond the edge of a texture, along one axis.
+enum class Wrap : std::uint8_t { repeat, clamp };
+
+/// A texture as views over read-only tables, in flash as a rule. It owns nothing; `validate()` checks it once at load.
+///
+/// Level 0 has 2^log2_width × 2^log2_height texels, row by row from the top; each further level of a mip pyramid halves
+/// both sides down to 1, and follows the one before in the same table (lecture 004: a third more memory, in one block).
+/// Texture coordinates: s to the right and t downwards, 1 is one whole texture, texel centres at (i + ½) / size.
+struct Texture {
+  static constexpr unsigned max_log2_size = 11;    ///< of a side
+  static constexpr unsigned max_log2_texels = 20;  ///< of both together
+  static constexpr unsigned max_levels = max_log2_size + 1;
+
+  TexelFormat format = TexelFormat::rgb565;
+  std::uint8_t log2_width = 0, log2_height = 0;
+  std::uint8_t levels = 1;
+  Wrap wrap_s = Wrap::repeat, wrap_t = Wrap::repeat;
+  std::span<const std::uint16_t> words{};    ///< texels of the formats of a word
+  std::span<const std::uint8_t> bytes{};     ///< texels of the palette formats
+  std::span<const std::uint16_t> palette{};  ///< RGB565, 16 or 256 of them, for the palette formats
+
+  [[nodiscard]] constexpr bool has_palette() const {
+    return format == TexelFormat::palette16 || format == TexelFormat::palette256;
+  }
+  /// Whether texels may be absent.
+  [[nodiscard]] constexpr bool has_holes() const {
+    return format == TexelFormat::rgb565_cutout || format == TexelFormat::argb4444;
+  }
+  /// log2 of a level's sides.
+  [[nodiscard]] constexpr unsigned log2_width_of(unsigned level) const {
+    return log2_width > level ? log2_width - level : 0;
+  }
+  [[nodiscard]] constexpr unsigned log2_height_of(unsigned level) const {
+    return log2_height > level ? log2_height - level : 0;
+  }
+  /// Entries of `words` or `bytes` that a level takes.
+  [[nodiscard]] constexpr std::size_t level_size(unsigned level) const {
+    const std::size_t width = std::size_t{1} << log2_width_of(level), height = std::size_t{1} << log2_height_of(level);
+    return format == TexelFormat::palette16 ? (width + 1) / 2 * height : width * height;
+  }
+  /// Where a level begins; `offset_of(levels)` is the size of the whole.
+  [[nodiscard]] constexpr std::size_t offset_of(unsigned level) const {
+    std::size_t offset = 0;
+    for (unsigned i = 0; i < level; ++i) offset += level_size(i);
+    return offset;
+  }
+};
+
+/// A vertex's texture coordinates, in units of 2^texture_exponent of the mesh.
+struct TextureCoordinate {
+  std::int16_t s, t;
+};
+
+/// Texture coordinates after the texture matrix: 1 is one whole texture; |value| < 2,048.
+using TextureUnits = Fixed<20>;
+
+/// A texture matrix: s' = ss·s + st·t + s0, t' = ts·s + tt·t + t0. Entries below 2,048.
+struct TextureMatrix {
+  Q16_16 ss = Q16_16::from_int(1), st{}, s0{};
+  Q16_16 ts{}, tt = Q16_16::from_int(1), t0{};
+  friend constexpr bool operator==(const TextureMatrix&, const TextureMatrix&) = default;
+};
+
+/// What is wrong with a texture.
+enum class TextureFault : std::uint8_t {
+  none,
+  too_large,      ///< a side or the whole beyond the limits
+  levels,         ///< none, or more than there are sizes
+  texels_count,   ///< the table of the format is too short, or the other one is not empty
+  palette_count,  ///< a palette of another size than the format's, or one where there is none
+};
+
+/// Checks a texture once, at load; everything after it trusts the tables.
+[[nodiscard]] TextureFault validate(const Texture& texture);
+
+/// A short English name of the fault, for messages.
+[[nodiscard]] const char* to_string(TextureFault fault);
+
+}  // namespace spanline
