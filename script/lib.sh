@@ -2,6 +2,8 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
+# Of fonts-dejavu-core.
+sans_font=/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf
 firmware_presets=(arm-m0plus arm-m3 arm-m4 arm-m7 rv32)
 
 say() { printf '== %s\n' "$*"; }
@@ -76,11 +78,13 @@ build_host() {
   ln -sfn host-release/host_sim/spanline build/spanline
 }
 
-# The models as C++ tables under build/generated, for the firmware. A table that would not change keeps its date, so
+# The models and the font as C++ tables under build/generated, for the firmware. A table that would not change keeps its date, so
 # that nothing is compiled again for it.
 convert_models() {
   local name next=build/generated/next
   mkdir -p $next
+  logged font-sans_14 build/spanline font $sans_font --pixels 14 -o $next/sans_14.hpp
+  cmp -s $next/sans_14.hpp build/generated/sans_14.hpp || cp $next/sans_14.hpp build/generated/
   for name in bunny teapot; do
     logged "convert-$name" build/spanline convert build/models/$name.obj -o $next/$name.hpp
     cmp -s $next/$name.hpp build/generated/$name.hpp || cp $next/$name.hpp build/generated/

@@ -47,8 +47,8 @@ void check_command(std::span<const std::unique_ptr<Command>> commands, int argc,
 
 int run_command_line(int argc, const char* const* argv) {
   CLI::App app("Draws 3D models as a microcontroller would: integers alone, scan line by scan line.", "spanline");
-  const std::array<std::unique_ptr<Command>, 4> commands{make_render_command(), make_view_command(),
-                                                         make_convert_command(), make_list_command()};
+  const std::array<std::unique_ptr<Command>, 5> commands{
+      make_render_command(), make_view_command(), make_convert_command(), make_font_command(), make_list_command()};
   try {
     check_command(commands, argc, argv);
     declare_all(app, commands);

@@ -21,6 +21,7 @@ class Command {
 
 [[nodiscard]] std::unique_ptr<Command> make_render_command();
 [[nodiscard]] std::unique_ptr<Command> make_convert_command();
+[[nodiscard]] std::unique_ptr<Command> make_font_command();
 [[nodiscard]] std::unique_ptr<Command> make_list_command();
 [[nodiscard]] std::unique_ptr<Command> make_view_command();
 

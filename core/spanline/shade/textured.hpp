@@ -4,25 +4,11 @@
 #include "spanline/raster/linear_function.hpp"
 #include "spanline/raster/span.hpp"
 #include "spanline/shade/shading_group.hpp"
+#include "spanline/shade/spread_565.hpp"
 #include "spanline/shade/texels.hpp"
 #include "spanline/shade/texture_plane.hpp"
 
 namespace spanline {
-
-/// An RGB565 word with room between its channels: green in bits 26…21, red in 15…11, blue in 4…0. A product with a
-/// number up to 32 leaves each channel in its own place, five bits higher.
-namespace spread_565 {
-
-inline constexpr std::uint32_t mask = 0x07e0f81f;
-
-[[nodiscard]] constexpr std::uint32_t from(std::uint32_t rgb565) { return (rgb565 | rgb565 << 16) & mask; }
-[[nodiscard]] constexpr std::uint32_t joined(std::uint32_t spread) { return (spread | spread >> 16) & 0xffff; }
-/// Under light of `level`/32.
-[[nodiscard]] constexpr std::uint32_t lit(std::uint32_t spread, std::uint32_t level) {
-  return ((spread * level) >> 5) & mask;
-}
-
-}  // namespace spread_565
 
 /// Light of texels: none, a level a polygon, or a level interpolated between the vertices. Levels are 32nds;
 /// 65535/65536 of full light is 32.

@@ -58,6 +58,20 @@ TEST_F(RefusalTest, BrokenModels) {
   }
 }
 
+TEST_F(RefusalTest, FontsAreRefusedByName) {
+  const std::string text = make_file("text.ttf", "this is no font");
+  const auto before = files();
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"font", text, "-o", in_folder("out.hpp")},
+        std::vector<std::string>{"font", in_folder("missing.ttf"), "-o", in_folder("out.hpp")}}) {
+    const ToolRun result = run(arguments);
+    expect_refused(result, 1, before);
+    EXPECT_NE(result.errors.find(".ttf"), std::string::npos) << result.errors;
+  }
+  for (const char* pixels : {"3", "101", "-5", "many"})
+    expect_refused(run({"font", text, "--pixels", pixels, "-o", in_folder("out.hpp")}), 2, before);
+}
+
 TEST_F(RefusalTest, ModelsThatAreNoFiles) {
   std::filesystem::create_directory(in_folder("folder.obj"));
   const auto before = files();

@@ -1,0 +1,43 @@
+#pragma once
+#include <cstdint>
+
+namespace spanline {
+
+/// The part of the picture that a line is clipped to: columns [left, right), rows [top, bottom).
+struct ClipBox {
+  std::int32_t left, top, right, bottom;
+};
+
+/// The pixels of a line, from its first end to its second, as far as they can lie inside a box: on the longer axis a
+/// pixel a step, on the shorter the nearest, halves towards greater coordinates.
+///
+/// Outcodes (Cohen and Sutherland; lecture 001) throw away lines that are outside on one side; of the others, a range
+/// of steps is kept which holds every pixel inside and at most a few more. Where a pixel lies depends on the whole line
+/// alone, so a line that is drawn band by band is the line that is drawn at once. |coordinate| ≤ 16,383.
+class LineSteps {
+ public:
+  LineSteps(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, const ClipBox& box);
+
+  [[nodiscard]] bool at_end() const { return step_ > last_; }
+  [[nodiscard]] std::int32_t x() const { return steep_ ? minor_ : major_; }
+  [[nodiscard]] std::int32_t y() const { return steep_ ? major_ : minor_; }
+  void next() {
+    ++step_;
+    major_ += direction_;
+    remainder_ += slope_remainder_;
+    minor_ += slope_;
+    if (remainder_ >= divisor_) {
+      remainder_ -= divisor_;
+      ++minor_;
+    }
+  }
+
+ private:
+  std::int32_t step_ = 1, last_ = 0;
+  bool steep_ = false;
+  std::int32_t major_ = 0, minor_ = 0, direction_ = 1;
+  std::int32_t slope_ = 0, slope_remainder_ = 0;  ///< of the shorter axis a step: whole pixels, and divisor-ths
+  std::int32_t remainder_ = 0, divisor_ = 1;
+};
+
+}  // namespace spanline
