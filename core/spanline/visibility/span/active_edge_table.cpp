@@ -32,11 +32,15 @@ void ActiveEdgeTable::reap(std::int32_t row) {
 }
 
 AwakePolygon* ActiveEdgeTable::evict(std::uint32_t nearest, Link number) {
+  // A bound's low bits are the outcode of the nearest corner, which says nothing of how far that is.
+  const auto without_outcode = [](std::uint32_t bound) { return bound & ~std::uint32_t{0xff}; };
+  nearest = without_outcode(nearest);
   AwakeKey* farthest = nullptr;
   const auto look = [&](AwakeKey* key) {
     const AwakePolygon& polygon = at(*key);
-    if (polygon.nearest < nearest || (polygon.nearest == nearest && polygon.number < number)) return;
-    nearest = polygon.nearest;
+    const std::uint32_t bound = without_outcode(polygon.nearest);
+    if (bound < nearest || (bound == nearest && polygon.number < number)) return;
+    nearest = bound;
     number = polygon.number;
     farthest = key;
   };

@@ -98,6 +98,7 @@ class SpanningScanLine {
   /// largest picture makes 1,024, and 2 units of 24-bit depth or 1 of 16-bit depth for fast set-ups.
   static constexpr std::uint32_t depth_unit = 1u << Depth::guard_bits;
   static constexpr BoundMargin margin{depth_unit + 2048, 2 * depth_unit + 2048};
+  static_assert(margin.below % 256 == 0, "ActiveEdgeTable::evict takes the low bits of a bound for an outcode");
 
   template <class ShadingGroup, class Covered>
   struct Rows : PolygonSource {

@@ -1,0 +1,57 @@
+// One suite for every visibility algorithm: what is listed is tested, by the class that it states there.
+#include <gtest/gtest.h>
+
+#include "generators.hpp"
+#include "support/effort.hpp"
+#include "verdict.hpp"
+
+namespace spanline::contract {
+namespace {
+
+constexpr int band_heights[] = {16, 1, 0, 7};  // 0: the whole picture
+
+/// Every way of drawing comes up in turn.
+Manner manner_of(int round, Manner::Content content) {
+  Manner manner;
+  manner.content = content;
+  manner.band_lines = band_heights[round % 4];
+  if (round / 4 % 2 == 1) manner.sense = DepthSense::larger_is_nearer;
+  return manner;
+}
+
+class Contract : public ::testing::TestWithParam<Generator> {};
+
+TEST_P(Contract, EveryAlgorithmDrawsIdsAndDepthsByItsClass) {
+  const Generator& generator = GetParam();
+  for (int round = 0; round < test::rounds(generator.rounds); ++round) {
+    Random random(seed_of(generator, round));
+    const Scene scene = generator.make(random);
+    ASSERT_EQ(fault_in(scene, manner_of(round, Manner::Content::ids)), "")
+        << generator.name << ", seed " << seed_of(generator, round);
+  }
+}
+
+TEST_P(Contract, EveryAlgorithmDrawsColoursByItsClass) {
+  const Generator& generator = GetParam();
+  const int rounds = test::rounds(generator.rounds / 4);
+  for (int i = 0; i < rounds; ++i) {
+    const int round = i + 1'000'000;  // other scenes than above
+    Random random(seed_of(generator, round));
+    const Scene scene = generator.make(random);
+    ASSERT_EQ(fault_in(scene, manner_of(i, Manner::Content::colours)), "")
+        << generator.name << ", seed " << seed_of(generator, round);
+  }
+}
+
+std::string name_of(const ::testing::TestParamInfo<Generator>& info) { return info.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(OnScreen, Contract, ::testing::ValuesIn(screen_generators()), name_of);
+INSTANTIATE_TEST_SUITE_P(OfMeshes, Contract, ::testing::ValuesIn(mesh_generators()), name_of);
+
+TEST(ContractList, SeveralAlgorithmsAreListed) {
+  ASSERT_GE(algorithms().size(), 3U);
+  for (const sim::VisibilityEntry& entry : algorithms()) EXPECT_NO_THROW((void)exactness_of(entry)) << entry.name;
+}
+
+}  // namespace
+}  // namespace spanline::contract

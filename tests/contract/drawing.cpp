@@ -1,0 +1,112 @@
+#include "drawing.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+
+#include "registry/visibility_list.hpp"
+#include "support/studio.hpp"
+
+namespace spanline::contract {
+namespace {
+
+Capacity capacity_of(const Scene& scene, const Manner& manner) {
+  Capacity c;
+  c.width = static_cast<std::uint16_t>(scene.width);
+  c.height = static_cast<std::uint16_t>(scene.height);
+  c.band_lines =
+      static_cast<std::uint16_t>(manner.band_lines == 0 ? scene.height : std::min(manner.band_lines, scene.height));
+  c.colour_bands = 1;
+  c.instances = static_cast<std::uint32_t>(scene.parts.size() + 1);
+  for (const Part& part : scene.parts) {
+    c.vertices += static_cast<std::uint32_t>(part.mesh->vertex_count() + 9 * part.mesh->triangle_count());
+    c.fans += static_cast<std::uint32_t>(7 * part.mesh->triangle_count());
+  }
+  c.shades = c.vertices;
+  c.polygons = static_cast<std::uint32_t>(scene.polygon_count());
+  constexpr std::uint32_t most_active = 4096;  // more than any of the scenes has on a row
+  c.active = manner.active.value_or(std::min(c.polygons, most_active));
+  return c;
+}
+
+/// Any colours, of which neighbours have different ones.
+std::vector<std::uint16_t> colours_of(const Scene& scene) {
+  std::vector<std::uint16_t> colours(scene.triangles.size());
+  for (std::size_t i = 0; i < colours.size(); ++i) colours[i] = static_cast<std::uint16_t>(i * 40503u + 1u);
+  return colours;
+}
+
+template <class Traits>
+Drawing draw_with(const Scene& scene, const Manner& manner) {
+  using Depth = typename Traits::Depth;
+  test::Studio<Traits> studio(capacity_of(scene, manner));
+  std::vector<ScreenVertex> vertices = test::vertices_of(scene.triangles, 24, scene.width, scene.height);
+  if constexpr (Depth::bits == 16)
+    for (ScreenVertex& v : vertices)
+      v.depth_word = std::min(v.depth_word >> 16, std::uint32_t{Depth::farthest}) << 16 | v.outcode();
+  const std::vector<std::uint16_t> colours = colours_of(scene);
+  studio.begin(scene.settings);
+  if (!vertices.empty()) studio.add_screen(vertices, colours);
+  for (const Part& part : scene.parts) studio.add(*part.mesh, part.transform, part.material);
+  const auto picture = studio.draw();
+  Drawing drawing;
+  drawing.width = scene.width;
+  drawing.height = scene.height;
+  drawing.pixels.assign(picture.pixels.begin(), picture.pixels.end());
+  if constexpr (Traits::statistics) drawing.depths.assign(picture.depth.begin(), picture.depth.end());
+  drawing.counters = studio.statistics().visibility;
+  drawing.status = studio.status();
+  drawing.shades_once = Traits::statistics && std::is_same_v<typename Traits::Visibility, Spanning>;
+  return drawing;
+}
+
+template <class Visibility, DepthSense Sense>
+Drawing draw_in(const Scene& scene, const Manner& manner) {
+  if (manner.content == Manner::Content::ids)
+    return draw_with<IdTraits<Depth24<Sense>, true, Visibility>>(scene, manner);
+  return draw_with<FullTraits<Rgb565, Depth24<Sense>, false, Visibility>>(scene, manner);
+}
+
+template <class Visibility>
+Drawing draw_by(const Scene& scene, const Manner& manner) {
+  return manner.sense == DepthSense::smaller_is_nearer
+             ? draw_in<Visibility, DepthSense::smaller_is_nearer>(scene, manner)
+             : draw_in<Visibility, DepthSense::larger_is_nearer>(scene, manner);
+}
+
+}  // namespace
+
+const std::vector<sim::VisibilityEntry>& algorithms() {
+  static const auto entries = std::apply(
+      [](const auto&... lines) { return std::vector<sim::VisibilityEntry>{lines.entry...}; }, sim::visibility_list);
+  return entries;
+}
+
+const sim::VisibilityEntry& algorithm(const char* name) {
+  for (const sim::VisibilityEntry& entry : algorithms())
+    if (std::string_view(entry.name) == name) return entry;
+  throw std::logic_error("no such algorithm");
+}
+
+Drawing draw(const sim::VisibilityEntry& algorithm, const Scene& scene, const Manner& manner) {
+  Manner own = manner;
+  if (algorithm.full_frame) own.band_lines = 0;
+  return sim::with_visibility(algorithm, [&]<class Visibility>() { return draw_by<Visibility>(scene, own); });
+}
+
+Drawing reference(const Scene& scene, Manner manner) {
+  manner.band_lines = 0;
+  manner.active.reset();
+  return draw_by<ZBuffer>(scene, manner);
+}
+
+Drawing draw_16_bits(const sim::VisibilityEntry& algorithm, const Scene& scene) {
+  Manner manner;
+  if (!algorithm.full_frame) manner.band_lines = 16;
+  return sim::with_visibility(
+      algorithm, [&]<class Visibility>() { return draw_with<IdTraits<Depth16<>, true, Visibility>>(scene, manner); });
+}
+
+}  // namespace spanline::contract
