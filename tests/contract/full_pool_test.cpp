@@ -122,12 +122,14 @@ INSTANTIATE_TEST_SUITE_P(RoomFor, FullPool, ::testing::Values(64, 32, 16, 1),
 
 // Regression: the outcode of the nearest corner, below its depth, decided between equally far polygons.
 TEST(FullPoolTies, GoByNumberWhereverTheCornersLie) {
-  const auto at = [](int x) { return Corners{Corner{x, 0, 5000}, Corner{x + 600, 0, 5000}, Corner{x, 600, 5000}}; };
-  for (const int x : {-160, 0, 32, 1200}) {
+  const auto nearest_at = [](int x, int y) {
+    return Corners{Corner{x, y, 5000}, Corner{700, 0, 6000}, Corner{0, 600, 6000}};
+  };
+  for (const Corner& beyond : {Corner{-160, 0, 0}, Corner{0, -160, 0}, Corner{0, 0, 0}, Corner{1600, 0, 0}}) {
     Scene scene;
-    scene.triangles = {at(x), at(0)};
+    scene.triangles = {nearest_at(beyond.x, beyond.y), nearest_at(0, 0)};
     const Drawing got = draw(algorithm("span"), scene, with_room(1));
-    EXPECT_EQ(difference(brute_force(scene, 1), got), "") << x;
+    EXPECT_EQ(difference(brute_force(scene, 1), got), "") << beyond.x << ", " << beyond.y;
   }
 }
 
