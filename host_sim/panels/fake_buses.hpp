@@ -83,6 +83,50 @@ class StuckBus {
   bool stuck_ = false;
 };
 
+/// A bus that queues up to `size` transfers, each of which takes `transfer_us`, one after the other.
+class QueueBus {
+ public:
+  static constexpr std::uint32_t size = 4;
+
+  QueueBus(SimClock& clock, std::uint32_t transfer_us) : clock_(clock), transfer_us_(transfer_us) {}
+
+  hal::Status command(std::span<const std::uint8_t>) {
+    if (busy()) ++misuses_;
+    ++commands_;
+    return hal::Status::ok;
+  }
+  hal::Status pixels(std::span<const std::uint8_t>) {
+    if (!takes_pixels()) return hal::Status::bus_busy;
+    ++transfers_;
+    done_ns_ = std::max(done_ns_, clock_.now_ns()) + transfer_ns();
+    return hal::Status::ok;
+  }
+  [[nodiscard]] bool busy() const { return clock_.now_ns() < done_ns_; }
+  [[nodiscard]] bool takes_pixels() const { return transfers_left() < size; }
+  [[nodiscard]] std::uint32_t transfers_left() const {
+    if (!busy()) return 0;
+    return static_cast<std::uint32_t>((done_ns_ - clock_.now_ns() + transfer_ns() - 1) / transfer_ns());
+  }
+  void reset(bool held) {
+    if (held) done_ns_ = 0;
+  }
+  [[nodiscard]] std::uint32_t clock_hz() const { return 1'000'000; }
+
+  [[nodiscard]] int commands() const { return commands_; }
+  [[nodiscard]] int transfers() const { return transfers_; }
+  [[nodiscard]] int misuses() const { return misuses_; }  ///< commands while busy
+
+ private:
+  [[nodiscard]] std::uint64_t transfer_ns() const { return std::uint64_t{transfer_us_} * 1000; }
+
+  SimClock& clock_;
+  std::uint32_t transfer_us_;
+  std::uint64_t done_ns_ = 0;
+  int commands_ = 0;
+  int transfers_ = 0;
+  int misuses_ = 0;
+};
+
 /// A bus whose plug can be pulled: bytes go nowhere, and nothing comes back but the level of a line that a resistor
 /// holds high.
 class PluggedBus {

@@ -138,7 +138,7 @@ constexpr Entry entries[] = {
     entry<St7789<landscape>>("st7789", "320x240 rgb565", "ST7789 colour TFT, held in landscape"),
     entry<St7789<portrait>>("st7789-portrait", "240x320 rgb565", "ST7789 colour TFT, held in portrait"),
     entry<St7789<landscape_444>>("st7789-444", "320x240 rgb444", "ST7789 in landscape with 12 bits a pixel"),
-    entry<SquareSt7789<portrait>>("st7789-240x240", "240x240 rgb565", "ST7789 with the square glass"),
+    entry<SquareSt7789<landscape>>("st7789-240x240", "240x240 rgb565", "ST7789 with the square glass"),
     entry<NarrowSt7789<landscape>>("st7789-135x240", "240x135 rgb565", "ST7789 with the narrow glass, in landscape"),
     entry<Ssd0323Parts>("ssd0323", "128x64 grey4", "SSD0323 OLED with 16 grey levels"),
 };

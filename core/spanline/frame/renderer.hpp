@@ -11,6 +11,7 @@
 #include "spanline/geometry/instance.hpp"
 #include "spanline/geometry/polygon_assembly.hpp"
 #include "spanline/model/camera.hpp"
+#include "spanline/shade/fill_constant.hpp"
 #include "spanline/shade/lighting.hpp"
 #include "spanline/visibility/algorithm.hpp"
 
@@ -30,7 +31,7 @@ struct Band {
   std::int32_t y0, y1;               ///< lines [y0, y1) of the picture
   std::span<Pixel> pixels;           ///< line by line, width · (y1 − y0)
   std::span<const DepthWord> depth;  ///< parallel to the pixels; empty where the algorithm keeps none
-  unsigned buffer;                   ///< which of the colour bands holds it: 0 or 1
+  unsigned buffer;                   ///< which of the colour bands holds it, counted from 0
 };
 
 /// Numbers of a frame (design: the lectures' sets P, F, B; and what visibility did, where the traits count it).
@@ -196,7 +197,10 @@ class Renderer {
   /// The steps of `draw`, for programs with a loop of their own (benchmarks, two cores): start, then for each band in
   /// order clear and draw, then end.
   void start_bands() { visibility_.begin_frame(); }
-  void clear_band(std::uint32_t band) { Visibility::clear(target(band_view(band))); }
+  void clear_band(std::uint32_t band) {
+    Visibility::clear(target(band_view(band)),
+                      [](auto value, std::uint32_t count, auto* words) { fill_constant(value, count, words); });
+  }
   template <class Sink>
   BandView draw_band(std::uint32_t band, Sink& sink) {
     const BandView view = band_view(band);
@@ -208,13 +212,18 @@ class Renderer {
   }
   Status end_bands() {
     note_peaks();
+    first_buffer_ = buffer_of(capacity_.bands());
     if (!visibility_.overflowed()) return {};
     return {Fault::pool_full, Pool::active, Visibility::wanted(table_, viewport(), capacity_.band_lines)};
   }
 
-  /// The memory of colour band 0 or 1, for present loops that hand it to a display; empty where the band does not
-  /// exist.
-  [[nodiscard]] std::span<Pixel> colour_band(unsigned buffer) const { return pools_.colour[buffer]; }
+  /// The memory of a colour band, counted from 0, for present loops that hand it to a display; empty where the band
+  /// does not exist. Frames use them in turn; with three and more the next frame goes on where the last one ended.
+  [[nodiscard]] std::span<Pixel> colour_band(unsigned buffer) const {
+    const std::size_t start = std::size_t{buffer} * Pools::colour_stride(capacity_);
+    if (start >= pools_.colour.size()) return {};
+    return pools_.colour.subspan(start, std::size_t{capacity_.width} * capacity_.band_lines);
+  }
   [[nodiscard]] const Statistics& statistics() const { return statistics_; }
   /// Of the last frame that was drawn.
   [[nodiscard]] const PoolPeaks& peaks() const { return peaks_; }
@@ -243,7 +252,13 @@ class Renderer {
     std::span<Link> buckets;
     typename Visibility::Memory visibility;
     std::span<DepthWord> depth;
-    std::span<Pixel> colour[2];
+    std::span<Pixel> colour;  ///< all bands
+
+    /// Pixels from one colour band to the next: each begins as the arena would let it begin.
+    static constexpr std::size_t colour_stride(const Capacity& c) {
+      constexpr std::size_t pixels_a_step = std::max<std::size_t>(Arena::alignment / sizeof(Pixel), 1);
+      return (std::size_t{c.width} * c.band_lines + pixels_a_step - 1) / pixels_a_step * pixels_a_step;
+    }
 
     constexpr void take(Arena& arena, const Capacity& c) {
       const std::size_t band_pixels = std::size_t{c.width} * c.band_lines;
@@ -260,7 +275,7 @@ class Renderer {
       buckets = arena.take<Link>((c.height + bucket_lines - 1) / bucket_lines);
       visibility.take(arena, c);
       depth = arena.take<DepthWord>(Visibility::keeps_depth ? band_pixels : 0);
-      for (unsigned i = 0; i < c.colour_bands && i < 2; ++i) colour[i] = arena.take<Pixel>(band_pixels);
+      colour = arena.take<Pixel>(colour_stride(c) * c.colour_bands);
     }
   };
 
@@ -272,7 +287,11 @@ class Renderer {
   };
 
   [[nodiscard]] Viewport viewport() const { return {capacity_.width, capacity_.height}; }
-  [[nodiscard]] unsigned buffer_of(std::uint32_t band) const { return capacity_.colour_bands == 2 ? band & 1u : 0u; }
+  /// Up to two bands go without the remainder, which costs Cortex-M0+ a call a band.
+  [[nodiscard]] unsigned buffer_of(std::uint32_t band) const {
+    if (capacity_.colour_bands <= 2) return band & (capacity_.colour_bands - 1u);
+    return (first_buffer_ + band) % capacity_.colour_bands;
+  }
   [[nodiscard]] static bool needs_shades(const Material& material) {
     return has_shades && material.shading == ShadingMode::gouraud;
   }
@@ -288,8 +307,7 @@ class Renderer {
     const std::int32_t y1 = std::min<std::int32_t>(y0 + capacity_.band_lines, capacity_.height);
     const std::size_t count = std::size_t{capacity_.width} * static_cast<std::size_t>(y1 - y0);
     const unsigned buffer = buffer_of(band);
-    return {y0, y1, pools_.colour[buffer].first(count), pools_.depth.first(Visibility::keeps_depth ? count : 0),
-            buffer};
+    return {y0, y1, colour_band(buffer).first(count), pools_.depth.first(Visibility::keeps_depth ? count : 0), buffer};
   }
   [[nodiscard]] typename Visibility::Target target(const BandView& view) {
     return {pools_.depth.data(), view.pixels.data(), capacity_.width,        view.y0 + row_bias,
@@ -394,7 +412,7 @@ class Renderer {
     peaks_.fans = table_.fan_count * sizeof(FanTriangle);
     peaks_.active = Visibility::Memory::bytes(visibility_.peak());
     peaks_.buckets = pools_.buckets.size_bytes();
-    peaks_.colour_bands = pools_.colour[0].size_bytes() + pools_.colour[1].size_bytes();
+    peaks_.colour_bands = pools_.colour.size_bytes();
     peaks_.depth_band = Visibility::tests_depth ? pools_.depth.size_bytes() : 0;
   }
 
@@ -409,6 +427,7 @@ class Renderer {
   FrameView view_{};
   Visibility visibility_{};
   Used used_{};
+  unsigned first_buffer_ = 0;  ///< colour band that the frame's first band of lines goes to
   Statistics statistics_{};
   PoolPeaks peaks_{};
 };

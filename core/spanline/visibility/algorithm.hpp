@@ -18,6 +18,7 @@ namespace spanline {
 /// fills its surface, `Shaders::fill` writes a run that is certain to be visible. Bands come from top to bottom.
 /// `covered(id)` is told of every polygon that covers a pixel centre where the algorithm counts.
 ///
+/// `clear(target, fill)` makes a band ready for drawing, by `fill(value, count, words)`.
 /// `keeps_depth`: bands have a depth buffer; `tests_depth`: the algorithm needs it, and it is not there for show alone.
 /// `Memory` is the algorithm's own part of the caller's bytes. `wanted` says how large its pool would have had to be
 /// after `overflowed`.
@@ -33,7 +34,7 @@ concept VisibilityAlgorithm = requires(A algorithm, const A& view, typename A::M
   { A::Memory::bytes(std::size_t{1}) } -> std::same_as<std::size_t>;
   A(memory);
   algorithm.begin_frame();
-  A::clear(target);
+  A::clear(target, [](auto /*value*/, std::uint32_t /*count*/, auto* /*words*/) {});
   { view.overflowed() } -> std::same_as<bool>;
   { view.peak() } -> std::convertible_to<std::uint32_t>;
   { A::wanted(table, viewport, std::int32_t{1}) } -> std::same_as<std::uint32_t>;

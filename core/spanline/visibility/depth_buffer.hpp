@@ -71,11 +71,13 @@ class DepthBuffer {
     overflowed_ = false;
   }
 
-  /// Fills a band's pixels with the background and its depths with what every polygon beats.
-  static void clear(const Target& target) {
-    const std::ptrdiff_t pixels = std::ptrdiff_t{target.width} * (target.end_row - target.first_row);
-    std::fill(target.pixels, target.pixels + pixels, target.background);
-    std::fill(target.depth, target.depth + pixels, Depth::clear);
+  /// Fills a band's pixels with the background and its depths with what every polygon beats, by `fill(value, count,
+  /// words)`.
+  template <class Fill>
+  static void clear(const Target& target, Fill fill) {
+    const auto pixels = static_cast<std::uint32_t>(target.width * (target.end_row - target.first_row));
+    fill(target.background, pixels, target.pixels);
+    fill(Depth::clear, pixels, target.depth);
   }
 
   /// Draws one band. `shading` is parallel to the table's groups; `covered(id)` is told of each polygon that

@@ -38,4 +38,15 @@ concept ReadableBus = Bus<B> && requires(B& bus, std::uint8_t command, std::span
   { bus.read(command, answer) } -> std::same_as<Status>;
 };
 
+/// A bus whose pixels() calls queue: each starts by itself when those before it have left, in order.
+///
+/// - `takes_pixels()`: whether pixels() may be called now; it says bus_busy otherwise. The first commands after pixels
+///   still want a bus that is not busy.
+/// - `transfers_left()`: how many pixels() calls have bytes left in their buffers.
+template <typename B>
+concept QueueingBus = Bus<B> && requires(const B& bus) {
+  { bus.takes_pixels() } -> std::same_as<bool>;
+  { bus.transfers_left() } -> std::same_as<std::uint32_t>;
+};
+
 }  // namespace spanline::hal

@@ -20,7 +20,9 @@ struct PresentStatistics {
   std::uint32_t last_wait_us = 0;     ///< how much of that went into waiting for the bus, microseconds
 };
 
-/// The present loop: one band is drawn while the other is on its way to the panel.
+/// The present loop: one band is drawn while others are on their way to the panel. Two buffers do; over a bus that
+/// queues, more of them let drawing run ahead where it is quick, for the rows where it is slow and for the next frame's
+/// geometry.
 ///
 ///     Status status = present.begin_frame();
 ///     for (int y = 0, index = 0; status == Status::ok && y < height; y += band, index ^= 1) {
@@ -39,11 +41,22 @@ class Present {
   /// Longer than a whole 320 × 240 frame at 10 MHz (123 ms).
   static constexpr std::uint32_t default_timeout_us = 250'000;
 
-  /// Both buffers are the caller's, in RAM that the bus's DMA reaches; each holds the rows of the tallest band. The
-  /// timeout is for one wait and longer than the transfer of one band: rows × width × 16 bits / bus clock.
+  static constexpr int most_buffers = 16;
+
+  /// The buffers are the caller's, in RAM that the bus's DMA reaches; each holds the rows of the tallest band; empty
+  /// ones do not count. The timeout is for one wait and longer than the transfer of all buffers: rows × width × 16 bits
+  /// / bus clock.
+  Present(PanelType& panel, ClockType& clock, std::span<const std::span<std::uint16_t>> buffers,
+          std::uint32_t timeout_us = default_timeout_us)
+      : panel_(panel), clock_(clock), timeout_us_(timeout_us) {
+    for (const auto& buffer : buffers) {
+      if (buffer_count_ < most_buffers && !buffer.empty())
+        buffers_[static_cast<std::size_t>(buffer_count_++)].words = buffer;
+    }
+  }
   Present(PanelType& panel, ClockType& clock, std::span<std::uint16_t> first, std::span<std::uint16_t> second,
           std::uint32_t timeout_us = default_timeout_us)
-      : panel_(panel), clock_(clock), buffers_{first, second}, timeout_us_(timeout_us) {}
+      : Present(panel, clock, std::array{first, second}, timeout_us) {}
 
   /// Starts a frame; initialises the panel for the first one and after a bus timeout. `out_of_order` if a frame is
   /// under way that has not failed; else what Panel::init returned. After a failure there is no frame.
@@ -57,7 +70,7 @@ class Present {
         return failure_;
       }
       needs_init_ = false;
-      in_flight_ = none;
+      for (Buffer& buffer : buffers_) buffer.number = 0;
       ++statistics_.initialisations;
     }
     in_frame_ = true;
@@ -67,32 +80,42 @@ class Present {
     return Status::ok;
   }
 
-  /// Waits until buffer 0 or 1 may be drawn into. Does not wait when only the other one is in flight.
+  /// Waits until a buffer, counted from 0, may be drawn into. Does not wait for others that are in flight.
   Status acquire(int index) {
     if (const Status status = check(index); status != Status::ok) return status;
-    return index == in_flight_ ? wait_idle() : Status::ok;
+    Buffer& buffer = buffers_[static_cast<std::size_t>(index)];
+    if (buffer.number != 0) {
+      const auto free = [&] { return submitted_ - buffer.number >= bands_left(); };
+      if (const Status status = wait_until(free); status != Status::ok) return status;
+    }
+    buffer.number = 0;
+    return Status::ok;
   }
 
-  /// The memory of buffer 0 or 1, whose words lie in the panel's pixel order. Drawn into only between acquire and
-  /// submit.
-  [[nodiscard]] std::span<std::uint16_t> buffer(int index) const { return buffers_[index == 0 ? 0 : 1]; }
+  /// The memory of a buffer, whose words lie in the panel's pixel order; empty where there is no such buffer. Drawn
+  /// into only between acquire and submit.
+  [[nodiscard]] std::span<std::uint16_t> buffer(int index) const {
+    if (index < 0 || index >= buffer_count_) return {};
+    return buffers_[static_cast<std::size_t>(index)].words;
+  }
 
-  /// Hands over rows y0 .. y1 − 1, full width, from the start of an acquired buffer; waits until the previous band has
-  /// left. The buffer's words mean nothing afterwards. `window_out_of_range`, `buffer_too_small` and `out_of_order`
-  /// leave the frame alive; everything else gives it up.
+  /// Hands over rows y0 .. y1 − 1, full width, from the start of an acquired buffer; waits until the panel takes them,
+  /// which without a queue is when the previous band has left. The buffer's words mean nothing afterwards.
+  /// `window_out_of_range`, `buffer_too_small` and `out_of_order` leave the frame alive; everything else gives it up.
   Status submit(int y0, int y1, int index) {
     if (const Status status = check(index); status != Status::ok) return status;
-    if (index == in_flight_) return Status::out_of_order;
+    if (buffers_[static_cast<std::size_t>(index)].number != 0) return Status::out_of_order;
     if (!Window{0, y0, PanelType::width, y1}.fits(PanelType::width, PanelType::height)) {
       return Status::window_out_of_range;
     }
     const std::size_t count = static_cast<std::size_t>(y1 - y0) * PanelType::width;
     if (buffer(index).size() < count) return Status::buffer_too_small;
-    if (const Status status = wait_idle(); status != Status::ok) return status;
+    if (const Status status = wait_until([&] { return takes(y0); }); status != Status::ok) return status;
     if (const Status status = panel_.write(y0, y1, buffer(index).first(count)); status != Status::ok) {
       return give_up(status);
     }
-    in_flight_ = index;
+    if (++submitted_ == 0) ++submitted_;  // 0 says that a buffer is not in flight
+    buffers_[static_cast<std::size_t>(index)].number = submitted_;
     ++statistics_.bands;
     return Status::ok;
   }
@@ -100,7 +123,15 @@ class Present {
   /// Waits for the last band and ends the frame. Returns the frame's first failure, or ok.
   Status end_frame() {
     if (!in_frame_) return failure_ == Status::ok ? Status::out_of_order : failure_;
-    if (failure_ == Status::ok) static_cast<void>(wait_idle());  // a failure is in failure_
+    // A failure is in failure_.
+    if (failure_ == Status::ok) static_cast<void>(wait_until([&] { return !panel_.busy(); }));
+    count_end();
+    return failure_;
+  }
+
+  /// The same without waiting: the last bands leave while the next frame begins, and what becomes of them shows there.
+  Status end_frame_early() {
+    if (!in_frame_) return failure_ == Status::ok ? Status::out_of_order : failure_;
     count_end();
     return failure_;
   }
@@ -108,24 +139,44 @@ class Present {
   [[nodiscard]] const PresentStatistics& statistics() const { return statistics_; }
 
  private:
-  static constexpr int none = -1;
+  struct Buffer {
+    std::span<std::uint16_t> words;
+    std::uint32_t number = 0;  ///< of its band among all that were submitted, while the bus may own it; otherwise 0
+  };
 
   [[nodiscard]] Status check(int index) const {
     if (failure_ != Status::ok) return failure_;
     if (!in_frame_) return Status::out_of_order;
-    return index == 0 || index == 1 ? Status::ok : Status::out_of_order;
+    return index >= 0 && index < buffer_count_ ? Status::ok : Status::out_of_order;
   }
 
-  Status wait_idle() {
-    if (panel_.busy()) {
-      const std::uint32_t start = clock_.now_us();
-      bool late = false;
-      while (panel_.busy() && !late) late = clock_.now_us() - start >= timeout_us_;
-      wait_us_ += clock_.now_us() - start;
-      if (late && panel_.busy()) return give_up(Status::bus_timeout);
+  /// Panels that know nothing of queues take a band when they are not busy.
+  [[nodiscard]] bool takes(int y0) {
+    if constexpr (requires { panel_.takes(y0); }) {
+      return panel_.takes(y0);
+    } else {
+      return !panel_.busy();
     }
-    in_flight_ = none;
-    return Status::ok;
+  }
+  [[nodiscard]] std::uint32_t bands_left() {
+    if constexpr (requires { panel_.bands_left(); }) {
+      return panel_.bands_left();
+    } else {
+      return panel_.busy() ? 1 : 0;
+    }
+  }
+
+  template <typename Condition>
+  Status wait_until(Condition condition) {
+    if (condition()) return Status::ok;
+    const std::uint32_t start = clock_.now_us();
+    bool late = false, done = false;
+    while (!done && !late) {
+      late = clock_.now_us() - start >= timeout_us_;
+      done = condition();
+    }
+    wait_us_ += clock_.now_us() - start;
+    return done ? Status::ok : give_up(Status::bus_timeout);
   }
 
   Status give_up(Status status) {
@@ -143,12 +194,13 @@ class Present {
 
   PanelType& panel_;
   ClockType& clock_;
-  std::array<std::span<std::uint16_t>, 2> buffers_;
+  std::array<Buffer, most_buffers> buffers_{};
+  int buffer_count_ = 0;
+  std::uint32_t submitted_ = 0;  ///< bands, modulo 2^32 without 0
   std::uint32_t timeout_us_;
   std::uint32_t start_us_ = 0;
   std::uint32_t wait_us_ = 0;
   PresentStatistics statistics_;
-  int in_flight_ = none;
   Status failure_ = Status::ok;
   bool in_frame_ = false;
   bool needs_init_ = true;

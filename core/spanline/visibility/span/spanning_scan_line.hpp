@@ -74,7 +74,8 @@ class SpanningScanLine {
   }
 
   /// Nothing: the background is drawn where it shows.
-  static void clear(const Target&) {}
+  template <class Fill>
+  static void clear(const Target&, Fill) {}
 
   /// Draws one band; bands come from top to bottom. `shading` is parallel to the table's groups; `covered(id)` is told
   /// of each polygon that covers a pixel centre (for Counting only). Takes the table's buckets apart.

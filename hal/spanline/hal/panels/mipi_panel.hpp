@@ -192,7 +192,8 @@ class MipiPanel {
     const std::size_t count = static_cast<std::size_t>(y1 - y0) * width;
     if (pixels.size() < count) return Status::buffer_too_small;
     if (y0 == next_row_) {
-      if (const Status status = ready(); status != Status::ok) return status;
+      if (state_ == State::asleep) return Status::panel_asleep;
+      if (!takes(y0)) return Status::bus_busy;
     } else {
       const Status status = window({0, y0, width, height});  // down to the end, so that the next band may follow
       if (status != Status::ok) return status;
@@ -214,6 +215,24 @@ class MipiPanel {
   }
 
   [[nodiscard]] bool busy() const { return bus_.busy(); }
+
+  /// Whether write() would take a band that begins at row y0 now: on a bus that queues, one that follows the last band
+  /// may join those that are still on their way.
+  [[nodiscard]] bool takes(int y0) const {
+    if constexpr (QueueingBus<BusType>) {
+      if (y0 == next_row_) return bus_.takes_pixels();
+    }
+    return !bus_.busy();
+  }
+
+  /// How many bands have pixels left in their buffers, the last ones written.
+  [[nodiscard]] std::uint32_t bands_left() const {
+    if constexpr (QueueingBus<BusType>) {
+      return bus_.transfers_left();
+    } else {
+      return bus_.busy() ? 1 : 0;
+    }
+  }
 
   /// Shows every colour as its complement, or as it is again. init() goes back to what the options say.
   Status invert(bool inverted) {
