@@ -72,6 +72,17 @@ fetch_models() {
   node $folder/npm/export.mjs $folder
 }
 
+# The emulator of the Pico and what checks its UF2 files, under build/rp2040.
+fetch_emulator() {
+  local folder=build/rp2040
+  [ -e $folder/node_modules ] && [ $folder/node_modules -nt tests/rp2040/package-lock.json ] && return
+  say "fetching the Pico's emulator"
+  mkdir -p $folder
+  cp tests/rp2040/{package.json,package-lock.json,.npmrc} $folder/
+  logged emulator npm ci --prefix $folder
+  touch $folder/node_modules
+}
+
 # The command, at build/spanline.
 build_host() {
   build_preset host-release

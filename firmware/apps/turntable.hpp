@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -16,14 +17,16 @@ namespace spanline::apps {
 ///
 /// A bus that stops answering costs the frame under way; the next one initialises the panel anew. Everything lies in
 /// the caller's memory.
-template <hal::Panel PanelType, hal::Clock ClockType>
+template <hal::Panel PanelType, hal::Clock ClockType, ShadingMode shading = ShadingMode::gouraud>
 class Turntable {
  public:
   using Format = std::conditional_t<PanelType::pixel_order == hal::PixelOrder::native, Rgb565, Rgb565Swapped>;
-  using Picture = Renderer<FullTraits<Format>>;
+  using Shader = std::conditional_t<shading == ShadingMode::flat, FlatShader<Format>, GouraudShader<Format>>;
+  using Traits = RendererTraits<Depth16<>, Format, ShaderList<Shader>>;
+  using Picture = Renderer<Traits>;
 
-  /// Frames of a whole turn.
-  static constexpr std::uint32_t frames_a_turn = 64;
+  /// Frames of a whole turn. The fifth after the start is the view of the benchmark scenes S4 and S5.
+  static constexpr std::uint32_t frames_a_turn = 60;
 
   /// How one frame went: what the display and the renderer had to say.
   struct Result {
@@ -33,41 +36,58 @@ class Turntable {
   };
 
   /// What the picture of a mesh takes: `polygons` that face the eye at most, `active` of them across a band's edge.
-  [[nodiscard]] static constexpr Capacity capacity(const Mesh& mesh, std::uint16_t band_lines, std::uint32_t polygons,
+  [[nodiscard]] static constexpr Capacity capacity(const Mesh& mesh, std::uint16_t band_lines,
+                                                   std::uint8_t colour_bands, std::uint32_t polygons,
                                                    std::uint32_t active) {
     const auto vertices = static_cast<std::uint32_t>(mesh.vertex_count());
     return {.width = PanelType::width,
             .height = PanelType::height,
             .band_lines = band_lines,
+            .colour_bands = colour_bands,
             .vertices = vertices,
-            .shades = vertices,
+            .shades = shading == ShadingMode::gouraud ? vertices : 0,
             .polygons = polygons,
             .active = active};
   }
 
   /// `memory` has Picture::bytes_needed(capacity) bytes, in RAM that the bus reaches. Mesh and memory must stay.
   Turntable(PanelType& panel, ClockType& clock, const Mesh& mesh, const Capacity& capacity, std::span<std::byte> memory)
-      : mesh_(mesh),
-        renderer_(capacity, memory),
-        present_(panel, clock, renderer_.colour_band(0), renderer_.colour_band(1)) {}
+      : mesh_(mesh), renderer_(capacity, memory), present_(panel, clock, buffers(renderer_)) {}
 
-  /// Draws frame `number` of the turn and shows it.
+  /// Draws frame `number` of the turn and waits until it is shown.
   Result show(std::uint32_t number) {
-    Result result;
-    result.display = present_.begin_frame();
-    if (result.display != hal::Status::ok) return result;
-    result.drawing = submit(number);
-    const Status drawn = renderer_.draw(Sink{present_});
-    result.display = present_.end_frame();
-    // A sink that fails has a display behind it that says why.
-    if (result.drawing.ok() && drawn.fault != Fault::sink_failed) result.drawing = drawn;
-    return result;
+    return show(number, [](Present& present) { return present.end_frame(); });
+  }
+
+  /// The same without waiting: the next frame begins while the last bands are on their way.
+  Result show_and_go_on(std::uint32_t number) {
+    return show(number, [](Present& present) { return present.end_frame_early(); });
   }
 
   [[nodiscard]] const hal::PresentStatistics& statistics() const { return present_.statistics(); }
 
  private:
   using Present = hal::Present<PanelType, ClockType>;
+
+  /// The renderer's colour bands; those that it does not have are empty.
+  static auto buffers(const Picture& renderer) {
+    std::array<std::span<std::uint16_t>, Present::most_buffers> all{};
+    for (unsigned i = 0; i < all.size(); ++i) all[i] = renderer.colour_band(i);
+    return all;
+  }
+
+  template <class End>
+  Result show(std::uint32_t number, End end) {
+    Result result;
+    result.display = present_.begin_frame();
+    if (result.display != hal::Status::ok) return result;
+    result.drawing = submit(number);
+    const Status drawn = renderer_.draw(Sink{present_});
+    result.display = end(present_);
+    // A sink that fails has a display behind it that says why.
+    if (result.drawing.ok() && drawn.fault != Fault::sink_failed) result.drawing = drawn;
+    return result;
+  }
 
   /// Hands finished bands to the present loop, whose buffers are the renderer's colour bands.
   struct Sink {
@@ -80,7 +100,7 @@ class Turntable {
 
   Status submit(std::uint32_t number) {
     const Angle angle = Angle::from_turns(number % frames_a_turn, frames_a_turn);
-    const scenes::ModelView view = scenes::model_view(mesh_, angle, PanelType::height, ShadingMode::gouraud);
+    const scenes::ModelView view = scenes::model_view(mesh_, angle, PanelType::height, shading);
     if (const Status begun = renderer_.begin(view.settings); !begun.ok()) return begun;
     return renderer_.add(mesh_, view.transform, view.material);
   }

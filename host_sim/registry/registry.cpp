@@ -25,13 +25,14 @@ struct BoardEntry {
   const char* description;
 };
 
-constexpr std::array<BoardEntry, 7> board_table{{
+constexpr std::array<BoardEntry, 8> board_table{{
     {"lm3s6965evb", "Cortex-M3, 64 KB of RAM, SSD0323 display on SPI (QEMU)"},
     {"mps2-an385", "Cortex-M3, 4 MB of RAM (QEMU)"},
     {"mps2-an386", "Cortex-M4, 4 MB of RAM (QEMU)"},
     {"mps2-an500", "Cortex-M7, 4 MB of RAM (QEMU)"},
     {"microbit", "Cortex-M0, 16 KB of RAM (QEMU)"},
     {"stm32vldiscovery", "Cortex-M3, 8 KB of RAM (QEMU)"},
+    {"pico", "Cortex-M0+, 264 KB of RAM, ST7789 or ILI9341 on SPI (Raspberry Pi Pico; rp2040js)"},
     {"virt-rv32", "RV32IMC, RISC-V virt machine (QEMU)"},
 }};
 

@@ -1,4 +1,4 @@
-"""Runs firmware images under QEMU.
+"""Runs firmware images under QEMU, and those of the Pico under rp2040js.
 
 firmware/boards/boards.json says which machine a board is, and what QEMU says on its standard error in starting that
 machine, whatever the image ("qemu_says").
@@ -27,11 +27,13 @@ class Run:
 
 
 def command_line(board, image, *more):
-    """QEMU's command line: the console (semihosting) goes to stdout, QEMU's own complaints to stderr."""
+    """The emulator's command line: the console (semihosting) goes to stdout, its own complaints to stderr."""
     if board not in BOARDS:
         raise Failure(f"no board {board!r}: boards.json has {', '.join(BOARDS)}")
     if not pathlib.Path(image).is_file():
         raise Failure(f"no image {image}: run script/build first")
+    if "rp2040js" in BOARDS[board]:
+        return ["node", str(ROOT / "tests/rp2040/run.mjs"), str(image)]
     return [
         *BOARDS[board]["qemu"],
         *("-display", "none", "-monitor", "none", "-serial", "null", "-d", "guest_errors"),

@@ -29,7 +29,7 @@ sim::Ili9341Model model_for(const Tft<StuckBus>*) { return sim::Ili9341Model(hal
 
 /// The pools of firmware/apps/turntable.cpp.
 template <class Panel>
-constexpr Capacity app_capacity = apps::Turntable<Panel, SimClock>::capacity(spanline_models::bunny, 8, 1700, 100);
+constexpr Capacity app_capacity = apps::Turntable<Panel, SimClock>::capacity(spanline_models::bunny, 8, 2, 1700, 100);
 
 /// An app with its panel, over a bus that can be made to stick.
 template <class Panel>
@@ -59,7 +59,7 @@ TYPED_TEST(Turntable, EveryFrameOfATurnFitsThePoolsAndReachesThePanel) {
     EXPECT_EQ(result.drawing.fault, Fault::none)
         << "frame " << frame << ": " << to_string(result.drawing.pool) << ", wanted " << result.drawing.wanted;
   }
-  EXPECT_EQ(bench.app.statistics().frames, 64U);
+  EXPECT_EQ(bench.app.statistics().frames, 60U);
   EXPECT_EQ(bench.app.statistics().initialisations, 1U);
   for (const sim::Complaint& complaint : bench.model.complaints()) ADD_FAILURE() << describe(complaint);
 }
@@ -68,9 +68,9 @@ TYPED_TEST(Turntable, TheModelTurns) {
   Bench<TypeParam> bench;
   EXPECT_TRUE(bench.app.show(0).ok());
   const std::vector<std::uint8_t> first = bench.model.picture().rgb;
-  EXPECT_TRUE(bench.app.show(16).ok());
+  EXPECT_TRUE(bench.app.show(15).ok());
   EXPECT_NE(bench.model.picture().rgb, first);
-  EXPECT_TRUE(bench.app.show(64).ok());
+  EXPECT_TRUE(bench.app.show(60).ok());
   EXPECT_EQ(bench.model.picture().rgb, first);
 }
 

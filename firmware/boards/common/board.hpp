@@ -6,7 +6,7 @@
 /// its folder, which is on the include path of the programs built for it.
 namespace spanline::board {
 
-/// Writes a text to the debugger's console (semihosting), as it is.
+/// Writes a text to the board's console as it is: semihosting on emulated boards, a UART on those that people flash.
 void write(const char* text);
 
 /// Writes a number in decimal digits.
@@ -15,7 +15,8 @@ void write_unsigned(std::uint32_t value);
 /// Writes eight lower-case hexadecimal digits, without a prefix.
 void write_hex(std::uint32_t value);
 
-/// Ends the program; `code` is what the emulator exits with (0..255). `main` returning does the same.
+/// Ends the program; `code` is what the emulator exits with (0..255). `main` returning does the same. A board without
+/// emulator writes "exit <code>" and stops.
 [[noreturn]] void exit(int code);
 
 /// Bytes of stack that the linker script set aside.

@@ -20,10 +20,17 @@ void paint_stack() {
   for (volatile std::uint32_t* word = ld_stack_limit; word + words_in_use < ld_stack_top; ++word) *word = stack_pattern;
 }
 
+/// Copies code into RAM, memcpy itself among it: volatile, so that no compiler makes a call of memcpy of it.
+void load_fast_code() {
+  const std::uint32_t* from = ld_fast_code_load;
+  for (volatile std::uint32_t* to = ld_fast_code_start; to < ld_fast_code_end; ++to) *to = *from++;
+}
+
 }  // namespace
 
 extern "C" void start_program() {
   paint_stack();
+  load_fast_code();
   std::copy(ld_data_load, ld_data_load + (ld_data_end - ld_data_start), ld_data_start);
   std::fill(ld_bss_start, ld_bss_end, 0U);
   board_set_up();

@@ -12,4 +12,14 @@ using DisplayPanel = hal::Ssd0323<DisplayBus, DisplayClock>;
 
 static_assert(DisplayPanel::clock_rating.verdict(DisplayBus::clock_hz()) == hal::ClockVerdict::rated);
 
+/// How a program cuts the picture: lines a band, and bands to draw into.
+struct DisplayBands {
+  std::uint16_t lines;
+  std::uint8_t count;
+};
+inline constexpr DisplayBands display_bands{.lines = 8, .count = 2};
+
+/// Called once a frame, for boards with a watchdog to feed.
+inline void frame_done() {}
+
 }  // namespace spanline::board

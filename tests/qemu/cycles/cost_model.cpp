@@ -92,8 +92,9 @@ struct Costs {
       multiply_add_long, divide, system;
 };
 
-/// M0+: a load or store takes 2, LDM, STM, PUSH and POP 1 + N, POP with pc 3 + N, a branch 2 if taken, BL 3, BX and
-/// BLX 2, MRS, MSR and barriers 3. The long products do not exist there.
+/// M0+: a load or store takes 2, LDM, STM, PUSH and POP 1 + N, a branch 2 if taken, BL 3, BX and BLX 2, MRS, MSR and
+/// barriers 3. "POP <loreglist>, PC" takes 3 + N; N is read as the number of low registers, as rp2040js reads it: one
+/// for the instruction, one a word, one to refill the pipeline. The long products do not exist there.
 constexpr Costs m0plus_costs{.load = 2,
                              .store = 2,
                              .list = 1,
@@ -101,7 +102,7 @@ constexpr Costs m0plus_costs{.load = 2,
                              .branch = 2,
                              .branch_link = 3,
                              .branch_exchange = 2,
-                             .pop_pc = 2,
+                             .pop_pc = 1,
                              .multiply_add = 1,
                              .multiply_long = 1,
                              .multiply_add_long = 1,

@@ -33,7 +33,7 @@ constexpr Case cases[] = {
     {"stmia r0!, {r1-r4}", 0xc01e, 0, 5, 5, 5, Kind::store},
     {"push {r4-r7, lr}", 0xb5f0, 0, 6, 6, 6, Kind::store},
     {"pop {r4-r7}", 0xbcf0, 0, 5, 5, 5, Kind::load},
-    {"pop {r4-r7, pc}", 0xbdf0, 0, 8, 8, 8, Kind::branch},
+    {"pop {r4-r7, pc}", 0xbdf0, 0, 7, 8, 8, Kind::branch},
     {"b .", 0xe7fe, 0, 2, 3, 3, Kind::branch},
     {"bne .", 0xd1fe, 0, 1, 1, 1, Kind::branch},
     {"bx lr", 0x4770, 0, 2, 3, 3, Kind::branch},

@@ -1,0 +1,120 @@
+// The second stage of the boot: the boot ROM copies these 256 bytes to the end of RAM, checks the CRC32 in their last
+// four (image.py puts it there) and runs them. They teach the flash interface to read the W25Q16JV by quad I/O without
+// a command byte, at half the system clock, and jump to the program (RP2040 data sheet, sections 2.8.1 and 4.10;
+// W25Q16JV data sheet, 8.2). rp2040js's flash needs none of it, so a test only runs these instructions there and looks
+// at what they wrote.
+//
+// An instruction sequence of its own: no stack frame, no constant outside of the 252 bytes.
+extern "C" [[gnu::naked, gnu::used, gnu::section(".boot2")]] void boot2() {
+  asm volatile(
+      ".syntax unified\n"
+      "push {lr}\n"
+      // Pads: clock with 8 mA and fast edges, data without hysteresis.
+      "ldr r3, =0x40020000\n"
+      "movs r0, #0x21\n"
+      "str r0, [r3, #0x04]\n"
+      "ldr r0, [r3, #0x08]\n"
+      "movs r1, #0x02\n"
+      "bics r0, r1\n"
+      "str r0, [r3, #0x08]\n"
+      "str r0, [r3, #0x0c]\n"
+      "str r0, [r3, #0x10]\n"
+      "str r0, [r3, #0x14]\n"
+      // Serial interface: off; half the clock, data sampled one cycle late; 8 bits, one line; on.
+      "ldr r3, =0x18000000\n"
+      "movs r1, #0\n"
+      "str r1, [r3, #0x08]\n"
+      "movs r1, #2\n"
+      "str r1, [r3, #0x14]\n"
+      "movs r1, #1\n"
+      "movs r2, #0xf0\n"
+      "str r1, [r3, r2]\n"
+      "ldr r1, =0x00070000\n"
+      "str r1, [r3, #0x00]\n"
+      "movs r1, #1\n"
+      "str r1, [r3, #0x08]\n"
+      // Quad enable is bit 1 of the flash's second status register: set it where it is not.
+      "movs r0, #0x35\n"
+      "bl boot2_read_status\n"
+      "movs r1, #0x02\n"
+      "tst r0, r1\n"
+      "bne 2f\n"
+      "movs r0, #0x06\n"  // write enable
+      "str r0, [r3, #0x60]\n"
+      "bl boot2_wait\n"
+      "ldr r0, [r3, #0x60]\n"
+      "movs r0, #0x01\n"  // write both status registers
+      "str r0, [r3, #0x60]\n"
+      "movs r0, #0x00\n"
+      "str r0, [r3, #0x60]\n"
+      "movs r0, #0x02\n"
+      "str r0, [r3, #0x60]\n"
+      "bl boot2_wait\n"
+      "ldr r0, [r3, #0x60]\n"
+      "ldr r0, [r3, #0x60]\n"
+      "ldr r0, [r3, #0x60]\n"
+      "1:\n"
+      "movs r0, #0x05\n"
+      "bl boot2_read_status\n"
+      "movs r1, #0x01\n"  // busy
+      "tst r0, r1\n"
+      "bne 1b\n"
+      "2:\n"
+      // Quad, 32 bits of data; 8 bits of command on one line, 24 of address and 8 of mode on four, 4 cycles of pause.
+      "movs r1, #0\n"
+      "str r1, [r3, #0x08]\n"
+      "ldr r1, =0x005f0300\n"
+      "str r1, [r3, #0x00]\n"
+      "movs r1, #0\n"
+      "str r1, [r3, #0x04]\n"
+      "ldr r1, =0x00002221\n"
+      "movs r0, #0xf4\n"
+      "str r1, [r3, r0]\n"
+      "movs r1, #1\n"
+      "str r1, [r3, #0x08]\n"
+      // A first read with mode A0: from then on the flash expects addresses without a command.
+      "movs r1, #0xeb\n"
+      "str r1, [r3, #0x60]\n"
+      "movs r1, #0xa0\n"
+      "str r1, [r3, #0x60]\n"
+      "bl boot2_wait\n"
+      "movs r1, #0\n"
+      "str r1, [r3, #0x08]\n"
+      "ldr r1, =0xa0002022\n"  // mode A0, no command, all on four lines
+      "movs r0, #0xf4\n"
+      "str r1, [r3, r0]\n"
+      "movs r1, #1\n"
+      "str r1, [r3, #0x08]\n"
+      // Back to a caller, or on to the program: its vector table follows in flash.
+      "pop {r0}\n"
+      "cmp r0, #0\n"
+      "beq 3f\n"
+      "bx r0\n"
+      "3:\n"
+      "ldr r0, =0x10000100\n"
+      "ldr r1, =0xe000ed08\n"
+      "str r0, [r1]\n"
+      "ldmia r0!, {r1, r2}\n"
+      "msr msp, r1\n"
+      "bx r2\n"
+      // Waits until all is sent and the interface is idle. Changes r1, r2.
+      "boot2_wait:\n"
+      "ldr r1, [r3, #0x28]\n"
+      "movs r2, #0x04\n"
+      "tst r1, r2\n"
+      "beq boot2_wait\n"
+      "movs r2, #0x01\n"
+      "tst r1, r2\n"
+      "bne boot2_wait\n"
+      "bx lr\n"
+      // The status register that command r0 reads, in r0.
+      "boot2_read_status:\n"
+      "push {lr}\n"
+      "str r0, [r3, #0x60]\n"
+      "str r0, [r3, #0x60]\n"
+      "bl boot2_wait\n"
+      "ldr r0, [r3, #0x60]\n"
+      "ldr r0, [r3, #0x60]\n"
+      "pop {pc}\n"
+      ".ltorg\n");
+}
