@@ -67,6 +67,7 @@ void draw(const Case& c, unsigned band) {
 
 void draw_by_all(const Case& c) {
   draw<Depth16<>, ZBuffer>(c, 0);
+  draw<Depth16<>, BoundedZBuffer>(c, 0);
   draw<Depth16<>, ZBuffer>(c, 16);
   draw<Depth24<>, Spanning>(c, 16);
 }

@@ -18,6 +18,7 @@ constexpr bool is_spanning = std::is_same_v<typename Traits::Visibility, Spannin
 template <class Traits>
 constexpr const char* visibility_name(unsigned band) {
   if (is_spanning<Traits>) return "span";
+  if (std::is_same_v<typename Traits::Visibility, BoundedZBuffer>) return "zbuffer+bounds";
   return band == 0 ? "zbuffer" : "scanline-z";
 }
 

@@ -18,8 +18,8 @@ struct VisibilityLine {
 /// Every visibility algorithm that there is: to add one is to add a line. The command line, the viewer and the contract
 /// suite (tests/contract) take them from here.
 inline constexpr std::tuple visibility_list{
-    VisibilityLine<ZBuffer>{{"zbuffer", "exact", "depth buffer of the whole picture", true, 16}},
-    VisibilityLine<ZBuffer>{
+    VisibilityLine<BoundedZBuffer>{{"zbuffer", "exact", "depth buffer of the whole picture", true, 16}},
+    VisibilityLine<BoundedZBuffer>{
         {"scanline-z", "exact", "depth buffer of one band of lines, polygons sorted by bands", false, 16}},
     VisibilityLine<Spanning>{
         {"span", "exact", "spanning scan line: no depth buffer, one decision a span, every pixel once", false, 24}},

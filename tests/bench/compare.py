@@ -37,7 +37,7 @@ def print_cover(core, lines):
     legs = sorted({key[1] for key in cover})
     names = list(dict.fromkeys(key[2] for key in cover))
     print(f"\ninstructions a pixel of the picture on {core}; right triangles with legs of")
-    print(f"{'':27}" + "".join(f"{leg:>9}" for leg in legs) + "  pixels")
+    print(f"{'':30}" + "".join(f"{leg:>9}" for leg in legs) + "  pixels")
     for complexity in complexities:
         for name in names:
             cells = []
@@ -45,7 +45,7 @@ def print_cover(core, lines):
                 cost = cover[complexity, leg, name]
                 least = min(cover[complexity, leg, other] for other in names if cover[complexity, leg, other] > 0)
                 cells.append(f"{'-' if cost == 0 else f'{cost:.1f}' + ('*' if cost == least else ' '):>9}")
-            print(f"covered {complexity:>2} times {name:11}" + "".join(cells))
+            print(f"covered {complexity:>2} times {name:14}" + "".join(cells))
 
 
 def print_shrink(core, lines):

@@ -9,6 +9,7 @@ template class Renderer<FlatTraits<Rgb565Swapped>>;
 template class Renderer<FullTraits<Rgb565>>;
 template class Renderer<FullTraits<Rgb565Swapped>>;
 template class Renderer<FullTraits<Rgb565, Depth24<>>>;
+template class Renderer<FlatTraits<Rgb565, Depth16<>, false, BoundedZBuffer>>;
 template class Renderer<FlatTraits<Rgb565, Depth24<>, false, Spanning>>;
 template class Renderer<FullTraits<Rgb565, Depth24<>, false, Spanning>>;
 template class Renderer<TextureTraits<Rgb565>>;

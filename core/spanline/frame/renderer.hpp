@@ -198,7 +198,7 @@ class Renderer {
   /// order clear and draw, then end.
   void start_bands() { visibility_.begin_frame(); }
   void clear_band(std::uint32_t band) {
-    Visibility::clear(target(band_view(band)),
+    visibility_.clear(target(band_view(band)),
                       [](auto value, std::uint32_t count, auto* words) { fill_constant(value, count, words); });
   }
   template <class Sink>

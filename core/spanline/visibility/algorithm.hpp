@@ -34,7 +34,7 @@ concept VisibilityAlgorithm = requires(A algorithm, const A& view, typename A::M
   { A::Memory::bytes(std::size_t{1}) } -> std::same_as<std::size_t>;
   A(memory);
   algorithm.begin_frame();
-  A::clear(target, [](auto /*value*/, std::uint32_t /*count*/, auto* /*words*/) {});
+  algorithm.clear(target, [](auto /*value*/, std::uint32_t /*count*/, auto* /*words*/) {});
   { view.overflowed() } -> std::same_as<bool>;
   { view.peak() } -> std::convertible_to<std::uint32_t>;
   { A::wanted(table, viewport, std::int32_t{1}) } -> std::same_as<std::uint32_t>;

@@ -1,6 +1,8 @@
 #pragma once
 #include <cstdint>
 
+#include "spanline/visibility/depth_bounds.hpp"
+
 namespace spanline {
 
 /// Counters of what a visibility algorithm did (--stats).
@@ -25,6 +27,7 @@ struct BandTarget {
   std::int32_t end_row;
   Pixel background;
   VisibilityCounters* counters = nullptr;  ///< for Counting only
+  DepthBounds<Depth>* bounds = nullptr;    ///< for z-buffers with bounds only
 };
 
 }  // namespace spanline

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include "spanline/raster/active_triangle.hpp"
 #include "spanline/raster/polygon_table.hpp"
@@ -26,13 +27,15 @@ struct ActiveEntry {
 /// Polygons are drawn band by band, and inside a band in order of submission: those that came in from the band above
 /// merge with those that start here. So every band height does the same depth tests in the same order, and draws the
 /// same bytes.
-template <class Depth, class Pixel, class Shaders, bool Counting>
+template <class Depth, class Pixel, class Shaders, bool Counting, bool Bounded = false>
 class DepthBuffer {
  public:
   using Surface = typename Shaders::Surface;
   using Entry = ActiveEntry<Surface>;
   using Target = BandTarget<Depth, Pixel>;
-  using Rows = TriangleRows<Depth, Pixel, Counting>;
+  using Rows = TriangleRows<Depth, Pixel, Counting, Bounded>;
+
+  using Bounds = std::conditional_t<Bounded, DepthBounds<Depth>, NoDepthBounds>;
 
   static constexpr bool keeps_depth = true, tests_depth = true;
 
@@ -40,10 +43,12 @@ class DepthBuffer {
   /// there is one band.
   struct Memory {
     std::span<Entry> active;
+    [[no_unique_address]] Bounds bounds;
 
     template <class Arena, class Capacity>
     constexpr void take(Arena& arena, const Capacity& capacity) {
       active = arena.template take<Entry>(capacity.active);
+      bounds.take(arena, capacity.width, capacity.band_lines);
     }
     /// Bytes of `count` active polygons.
     [[nodiscard]] static constexpr std::size_t bytes(std::size_t count) { return count * sizeof(Entry); }
@@ -61,7 +66,7 @@ class DepthBuffer {
   }
 
   DepthBuffer() = default;
-  explicit DepthBuffer(const Memory& memory) : pool_(memory.active) {}
+  explicit DepthBuffer(const Memory& memory) : pool_(memory.active), bounds_(memory.bounds) {}
 
   /// Before the first band of a frame.
   void begin_frame() {
@@ -74,17 +79,19 @@ class DepthBuffer {
   /// Fills a band's pixels with the background and its depths with what every polygon beats, by `fill(value, count,
   /// words)`.
   template <class Fill>
-  static void clear(const Target& target, Fill fill) {
+  void clear(const Target& target, Fill fill) {
     const auto pixels = static_cast<std::uint32_t>(target.width * (target.end_row - target.first_row));
     fill(target.background, pixels, target.pixels);
     fill(Depth::clear, pixels, target.depth);
+    bounds_.clear();
   }
 
   /// Draws one band. `shading` is parallel to the table's groups; `covered(id)` is told of each polygon that
   /// is activated (for Counting only).
   template <class ShadingGroup, class Covered>
   void draw_band(const PolygonTable& table, std::span<const ShadingGroup> shading, std::int32_t band, Viewport viewport,
-                 const Target& target, Covered&& covered) {
+                 const Target& whole_target, Covered&& covered) {
+    const TargetWithBounds target = with_bounds(whole_target);
     Job<ShadingGroup> job{.table = table,
                           .shading = shading.data(),
                           .group = table.groups.data(),
@@ -121,6 +128,18 @@ class DepthBuffer {
   }
 
  private:
+  /// A copy that knows the bounds, where there are any.
+  using TargetWithBounds = std::conditional_t<Bounded, Target, const Target&>;
+  [[nodiscard]] TargetWithBounds with_bounds(const Target& target) {
+    if constexpr (Bounded) {
+      Target copy = target;
+      copy.bounds = &bounds_;
+      return copy;
+    } else {
+      return target;
+    }
+  }
+
   /// What the polygons of a band have in common, the group of the current one, and room to set it up.
   template <class ShadingGroup>
   struct Job {
@@ -275,11 +294,19 @@ class DepthBuffer {
   }
 
   std::span<Entry> pool_;
+  [[no_unique_address]] Bounds bounds_;
   Link free_ = no_link;
   Link used_ = 0;
   Link peak_ = 0;
   Link active_ = no_link;
   bool overflowed_ = false;
+};
+
+/// Visibility of a renderer: a depth buffer with bounds for blocks of 32 columns, for scenes of large polygons that
+/// hide one another. The same bytes; 1/16 more memory for depth; small polygons pay a few instructions each.
+struct BoundedZBuffer {
+  template <class Depth, class Pixel, class Shaders, bool Counting>
+  using Algorithm = DepthBuffer<Depth, Pixel, Shaders, Counting, true>;
 };
 
 /// Visibility of a renderer: a depth buffer over the whole picture or over bands of lines.

@@ -148,6 +148,25 @@ struct DepthRun {
       long_run(depth, pixels, count, z, dz, source);
   }
 
+  /// Pixels that are certain to be nearer than what is there: nothing is compared. `z` and `source` stand at the first.
+  template <PixelSource Source>
+  [[gnu::noinline]] static void accepted_run(Word* depth, Pixel* pixels, std::uint32_t count, std::uint32_t z,
+                                             std::uint32_t dz, Source source) {
+    const auto put = [&](std::size_t i) __attribute__((always_inline)) {
+      depth[i] = static_cast<Word>(Depth::stored(z));
+      pixels[i] = source.get();
+      z += dz;
+      source.forward();
+    };
+    for (; count >= 8; count -= 8) {
+#pragma GCC unroll 8
+      for (std::size_t i = 0; i < 8; ++i) put(i);
+      depth += 8;
+      pixels += 8;
+    }
+    for (std::size_t i = 0; i < count; ++i) put(i);
+  }
+
   /// A run of constant depth and pixel: nothing is stepped.
   static inline void constant_run(Word* depth, Pixel* pixels, std::uint32_t count, std::uint32_t z, Pixel colour) {
     const std::uint32_t candidate = Depth::stored(z);

@@ -52,7 +52,7 @@ struct CountedSource : Source {
 
 /// Draws the rows of an active triangle that lie in a band, testing depth. Input: the triangle and surface on
 /// their current row. Output: pixels and depths; the triangle and surface on the row after the band if they go on.
-template <class Depth, class Pixel, bool Counting>
+template <class Depth, class Pixel, bool Counting, bool Bounded>
 class TriangleRows {
  public:
   using Target = BandTarget<Depth, Pixel>;
@@ -64,6 +64,10 @@ class TriangleRows {
   static bool draw(ActiveTriangle& triangle, Surface& surface, const Target& target, CornersOf corners_of) {
     const std::int32_t before = triangle.rows_to_bend, after = triangle.rows_after_bend;
     const std::int32_t available = target.end_row - triangle.row;
+    if constexpr (Bounded) {
+      if (triangle.flags.size() != ActiveTriangle::Size::large)
+        target.bounds->touch(triangle.row - target.first_row, std::min(before + after, available));
+    }
     if (before + after <= available) {
       draw_rows(triangle, surface, target, before, after, corners_of);
       return false;
@@ -170,6 +174,33 @@ class TriangleRows {
     kept_surface = surface;
   }
 
+  /// A run against the depth buffer; `z` is the plane word at its first pixel.
+  template <class Surface>
+  [[gnu::always_inline]] static inline void test_piece(const Surface& surface, std::int32_t column,
+                                                       typename Depth::Word* depth, Pixel* pixels,
+                                                       std::uint32_t pixel_count, std::uint32_t z, std::uint32_t dz,
+                                                       const Target& target) {
+    if constexpr (SurfaceInBlocks<Surface>)
+      block_run(depth, pixels, pixel_count, z, dz, surface.blocks(column), target);
+    else
+      Run::run(depth, pixels, pixel_count, z, dz, counted(surface.source(column), target));
+  }
+
+  /// A piece of a run that bounds have not rejected; where they accept it, nothing need be compared.
+  template <class Surface>
+  static void draw_piece(const Surface& surface, std::int32_t column, typename Depth::Word* depth, Pixel* pixels,
+                         std::uint32_t pixel_count, std::uint32_t z, std::uint32_t dz, const Target& target,
+                         bool accepted) {
+    if constexpr (!SurfaceInBlocks<Surface>) {
+      if (accepted) {
+        Run::accepted_run(depth, pixels, pixel_count, z, dz, counted(surface.source(column), target));
+        return;
+      }
+    }
+    if constexpr (Counting) target.counters->depth_tests += pixel_count;
+    test_piece(surface, column, depth, pixels, pixel_count, z, dz, target);
+  }
+
   template <class Surface>
   static void large_rows(ActiveTriangle& triangle, Surface& surface, const Target& target, std::int32_t rows) {
     Edge left = triangle.large.left, right = triangle.large.right;
@@ -178,22 +209,27 @@ class TriangleRows {
     const std::int32_t offset = (triangle.row - target.first_row) * target.width;
     auto* depth = target.depth + offset;
     auto* pixels = target.pixels + offset;
+    [[maybe_unused]] std::int32_t line = triangle.row - target.first_row;
     triangle.row = static_cast<std::uint16_t>(triangle.row + rows);
-    for (; rows > 0; --rows) {
+    for (; rows > 0; --rows, ++line) {
       std::int32_t first = left.x, end = right.x;
       if (triangle.flags.clipped()) {
         first = std::max<std::int32_t>(first, 0);
         end = std::min(end, target.width);
       }
       if (end > first) {
-        const std::uint32_t pixel_count = word(end - first);
-        count(target, pixel_count);
-        if constexpr (SurfaceInBlocks<Surface>)
-          block_run(depth + first, pixels + first, pixel_count, z + dz * word(first), dz, surface.blocks(first),
-                    target);
-        else
-          Run::run(depth + first, pixels + first, pixel_count, z + dz * word(first), dz,
-                   counted(surface.source(first), target));
+        if constexpr (Bounded) {
+          if constexpr (Counting) ++target.counters->spans;
+          target.bounds->draw(line, word(first), word(end), word(target.width), z + dz * word(first), dz,
+                              [&](std::uint32_t column, std::uint32_t pixel_count, std::uint32_t at, bool accepted) {
+                                draw_piece(surface, signed_word(column), depth + column, pixels + column, pixel_count,
+                                           at, dz, target, accepted);
+                              });
+        } else {
+          const std::uint32_t pixel_count = word(end - first);
+          count(target, pixel_count);
+          test_piece(surface, first, depth + first, pixels + first, pixel_count, z + dz * word(first), dz, target);
+        }
       }
       left.next_row();
       right.next_row();

@@ -75,7 +75,7 @@ class SpanningScanLine {
 
   /// Nothing: the background is drawn where it shows.
   template <class Fill>
-  static void clear(const Target&, Fill) {}
+  void clear(const Target&, Fill) {}
 
   /// Draws one band; bands come from top to bottom. `shading` is parallel to the table's groups; `covered(id)` is told
   /// of each polygon that covers a pixel centre (for Counting only). Takes the table's buckets apart.
