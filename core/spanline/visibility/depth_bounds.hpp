@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "spanline/math/bits.hpp"
+#include "spanline/raster/linear_function.hpp"
 
 namespace spanline {
 
