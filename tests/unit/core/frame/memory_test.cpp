@@ -98,7 +98,7 @@ TEST(Configuration, SizesOutsideTheirRangesAreRefused) {
     EXPECT_EQ(spoilt(&Capacity::height, bad), Fault::bad_configuration) << bad;
   }
   for (const int bad : {0, 49, 65535}) EXPECT_EQ(spoilt(&Capacity::band_lines, bad), Fault::bad_configuration) << bad;
-  for (const int bad : {0, 3, 255}) EXPECT_EQ(spoilt(&Capacity::colour_bands, bad), Fault::bad_configuration) << bad;
+  for (const int bad : {0, 17, 255}) EXPECT_EQ(spoilt(&Capacity::colour_bands, bad), Fault::bad_configuration) << bad;
   for (const auto pool : {&Capacity::polygons, &Capacity::active, &Capacity::instances, &Capacity::fans})
     EXPECT_EQ(spoilt(pool, -1), Fault::bad_configuration);
 }
