@@ -121,6 +121,31 @@ TEST(Sink, TwoBuffersTakeTurnsAndAreAcquiredFirst) {
   EXPECT_EQ(sink.sent, sink.acquired);
 }
 
+TEST(Sink, ManyBuffersTakeTurnsAcrossFramesAndLieApart) {
+  Ready r;
+  Capacity capacity = small_capacity();
+  capacity.colour_bands = 3;
+  std::vector<std::byte> memory(Renderer<Traits>::bytes_needed(capacity));
+  Renderer<Traits> renderer(capacity, memory);
+  ASSERT_TRUE(renderer.status().ok());
+  for (unsigned i = 1; i < 3; ++i)
+    EXPECT_GE(renderer.colour_band(i).data(), renderer.colour_band(i - 1).data() + renderer.colour_band(i - 1).size());
+  EXPECT_TRUE(renderer.colour_band(3).empty());
+  std::vector<unsigned> used;
+  for (int frame = 0; frame < 2; ++frame) {
+    ASSERT_TRUE(renderer.begin(r.settings).ok());
+    ASSERT_TRUE(renderer.add(r.mesh, r.transform, {}).ok());
+    EXPECT_TRUE(renderer
+                    .draw([&](const auto& band) {
+                      EXPECT_EQ(band.pixels.data(), renderer.colour_band(band.buffer).data());
+                      used.push_back(band.buffer);
+                      return true;
+                    })
+                    .ok());
+  }
+  EXPECT_EQ(used, (std::vector<unsigned>{0, 1, 2, 0, 1, 2, 0, 1, 2, 0}));  // five bands a frame
+}
+
 TEST(Sink, ABufferThatNeverComesFreeEndsTheFrame) {
   Ready r;
   ASSERT_TRUE(r.renderer.begin(r.settings).ok());

@@ -17,7 +17,7 @@ Capacity some_capacity(Random& random) {
   c.width = static_cast<std::uint16_t>(random.between(1, 100));
   c.height = static_cast<std::uint16_t>(random.between(1, 100));
   c.band_lines = static_cast<std::uint16_t>(random.between(1, c.height));
-  c.colour_bands = static_cast<std::uint8_t>(random.between(1, 2));
+  c.colour_bands = static_cast<std::uint8_t>(random.between(1, 16));
   for (std::uint32_t* pool : {&c.instances, &c.vertices, &c.shades, &c.polygons, &c.fans, &c.active})
     *pool = static_cast<std::uint32_t>(random.between(0, 30));
   return c;
