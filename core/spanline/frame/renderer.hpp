@@ -119,6 +119,9 @@ class Renderer {
     const std::uint32_t first_id = used_.ids;
     used_.ids += static_cast<std::uint32_t>(mesh.triangle_count());
     if (shader >= Shaders::count) return {Fault::shader_missing, Pool::none, 0};
+    // An algorithm that decides by whole spans cannot look through holes.
+    if (!Visibility::tests_depth && textured && material.texturing.texture->has_holes())
+      return {Fault::shader_missing, Pool::none, 0};
 
     const InstanceGeometry geometry(view_, mesh, transform);
     if (geometry.placement() == Placement::outside) {

@@ -54,9 +54,11 @@ class DepthBounds {
   /// Cuts the run [first, end) of columns at blocks and draws what may be seen of it: `draw(column, count, z,
   /// accepted)` is called with the first column and the plane word of each piece. `line` counts from the band's first;
   /// `z` is the plane word at the run's first column and `dz` its step.
+  /// `solid`: every pixel that is nearer gets written; surfaces with holes leave what lies behind, and `farthest` as it
+  /// is.
   template <class Draw>
   void draw(std::int32_t line, std::uint32_t first, std::uint32_t end, std::uint32_t width, std::uint32_t z,
-            std::uint32_t dz, Draw draw_piece) {
+            std::uint32_t dz, bool solid, Draw draw_piece) {
     const bool may_accept = (touched_ >> (word(line) >> touched_shift_) & 1) == 0;
     Word* bounds = words_.data() + 2 * (word(line) * blocks_ + first / block_columns);
     for (std::uint32_t column = first; column < end; bounds += 2) {
@@ -69,7 +71,7 @@ class DepthBounds {
       if (Depth::hides(near, farthest)) {
         draw_piece(column, count, z, may_accept && Depth::hides(far, nearest));
         if (Depth::hides(near, nearest)) nearest = static_cast<Word>(near);
-        const bool whole = column % block_columns == 0 && stop == block_end;
+        const bool whole = solid && column % block_columns == 0 && stop == block_end;
         if (whole && Depth::hides(far, farthest)) farthest = static_cast<Word>(far);
       }
       z += dz * count;

@@ -221,6 +221,7 @@ class TriangleRows {
         if constexpr (Bounded) {
           if constexpr (Counting) ++target.counters->spans;
           target.bounds->draw(line, word(first), word(end), word(target.width), z + dz * word(first), dz,
+                              !SurfaceInBlocks<Surface>,
                               [&](std::uint32_t column, std::uint32_t pixel_count, std::uint32_t at, bool accepted) {
                                 draw_piece(surface, signed_word(column), depth + column, pixels + column, pixel_count,
                                            at, dz, target, accepted);
