@@ -30,7 +30,7 @@ struct Font {
   }
   /// 0 … 15.
   [[nodiscard]] constexpr unsigned coverage_at(std::uint32_t index) const {
-    return (coverage[index / 2] >> (index % 2 * 4)) & 15u;
+    return (unsigned{coverage[index / 2]} >> (index % 2 * 4)) & 15u;
   }
 };
 
