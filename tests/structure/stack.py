@@ -65,19 +65,6 @@ def one_constructor(functions):
     return functions
 
 
-def folded_twins(functions):
-    """gcc folds functions of the same code and calls one by the other's name, which then has no frame: it counts as the
-    largest function of the same method name."""
-    def method(title):
-        names = re.findall(r"\d{1,2}([a-z][a-z_]+[a-z])I?", title)
-        return names[-1] if names else None
-    for title in [t for t, f in functions.items() if f.frame is None and "spanline" in t]:
-        twins = [f for t, f in functions.items() if f.frame is not None and method(t) == method(title)]
-        if twins:
-            functions[title] = max(twins, key=lambda function: function.frame)
-    return functions
-
-
 class Bound:
     def __init__(self, functions, indirect):
         self.functions = functions
@@ -128,7 +115,7 @@ def main():
     arguments = parser.parse_args()
 
     files = [file for folder in arguments.folders for file in sorted(folder.rglob("*.ci"))]
-    functions = folded_twins(one_constructor(read_graph(files)))
+    functions = one_constructor(read_graph(files))
     entries = [t for t, f in functions.items() if f.frame is not None and re.search(arguments.entry, f.name)]
     if not entries:
         sys.exit(f"stack.py: no function matches {arguments.entry!r} in {len(files)} call graphs")

@@ -76,27 +76,42 @@ ClipVertex Clipper::intersection(unsigned plane, const ClipVertex& a, std::int64
   return made;
 }
 
+void ClipPolygon::append(const ClipVertex& corner) {
+  unsigned place = 0;
+  while (place < corner_.size() && (taken_ >> place & 1) != 0) ++place;
+  if (place == corner_.size() || count_ == most_corners) return;
+  corner_[place] = corner;
+  taken_ = static_cast<std::uint16_t>(taken_ | 1u << place);
+  order_[count_++] = static_cast<std::uint8_t>(place);
+}
+
 void Clipper::clip(ClipPolygon& polygon) const {
-  for (unsigned plane = 0; plane < ClipPolygon::planes && polygon.count != 0; ++plane) {
-    std::array<std::int64_t, ClipPolygon{}.vertex.size()> distances;
+  for (unsigned plane = 0; plane < ClipPolygon::planes && polygon.count_ != 0; ++plane) {
+    std::array<std::int64_t, ClipPolygon::most_corners> distances;
     bool cut = false;
-    for (unsigned i = 0; i < polygon.count; ++i) {
-      const ClipVertex& vertex = polygon.vertex[i];
+    for (unsigned i = 0; i < polygon.count_; ++i) {
+      const ClipVertex& vertex = polygon[i];
       distances[i] = distance(plane, vertex.point);
       if (plane >= first_guard_plane && vertex.in_guard_band) distances[i] = std::max<std::int64_t>(0, distances[i]);
       cut |= distances[i] < 0;
     }
     if (!cut) continue;
-    const ClipPolygon before = polygon;
-    polygon.count = 0;
-    for (unsigned i = 0; i < before.count; ++i) {
-      const unsigned j = i + 1 == before.count ? 0 : i + 1;
-      if (distances[i] >= 0) polygon.vertex[polygon.count++] = before.vertex[i];
+    const auto before = polygon.order_;
+    const unsigned count = polygon.count_;
+    polygon.count_ = 0;
+    unsigned outside = 0;
+    for (unsigned i = 0; i < count; ++i) {
+      const unsigned j = i + 1 == count ? 0 : i + 1;
+      if (distances[i] < 0)
+        outside |= 1u << before[i];
+      else if (polygon.count_ < ClipPolygon::most_corners)
+        polygon.order_[polygon.count_++] = before[i];
       if ((distances[i] >= 0) != (distances[j] >= 0))
-        polygon.vertex[polygon.count++] =
-            intersection(plane, before.vertex[i], distances[i], before.vertex[j], distances[j]);
+        polygon.append(
+            intersection(plane, polygon.corner_[before[i]], distances[i], polygon.corner_[before[j]], distances[j]));
     }
-    if (polygon.count < 3) polygon.count = 0;
+    polygon.taken_ = static_cast<std::uint16_t>(polygon.taken_ & ~outside);
+    if (polygon.count_ < 3) polygon.count_ = 0;
   }
 }
 

@@ -20,10 +20,25 @@ struct ClipVertex {
 };
 
 /// A convex polygon that is being clipped: a triangle gains a corner a plane at most.
-struct ClipPolygon {
+class ClipPolygon {
+ public:
   static constexpr unsigned planes = 6;
-  std::array<ClipVertex, 3 + planes> vertex;
-  unsigned count = 0;
+  static constexpr unsigned most_corners = 3 + planes;
+
+  [[nodiscard]] unsigned count() const { return count_; }
+  [[nodiscard]] const ClipVertex& operator[](unsigned i) const { return corner_[order_[i]]; }
+  /// Appends a corner. Where there is no room, it is left out: convex polygons never get there, and those that rounding
+  /// made a little less than convex lose a sliver.
+  void append(const ClipVertex& corner);
+
+ private:
+  friend class Clipper;
+  /// Corners stay where they are while planes cut the polygon, so that no plane takes a copy of it: `order_` names them
+  /// in turn. A plane needs its two new corners before it lets go of an old one.
+  std::array<ClipVertex, most_corners + 1> corner_;
+  std::array<std::uint8_t, most_corners> order_{};
+  std::uint16_t taken_ = 0;  ///< bit i: corner_[i] is in use
+  std::uint8_t count_ = 0;
 };
 
 /// Clips polygons in view space to the near and far planes and to the guard band, plane by plane (Sutherland and

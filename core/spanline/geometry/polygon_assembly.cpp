@@ -134,28 +134,24 @@ void PolygonAssembly::clip_triangle(const Mesh& mesh, const ClipContext& clip, c
   ClipPolygon piece;
   for (unsigned i = 0; i < 3; ++i) {
     const bool textured = !store.textures.empty();
-    piece.vertex[i] = {view_point(*clip.transform, mesh, corner[i]),
-                       store.shades.empty() ? 0 : store.shades[corner[i]],
-                       textured ? store.textures[corner[i]].s : 0,
-                       textured ? store.textures[corner[i]].t : 0,
-                       corner[i],
-                       (vertices[corner[i]].depth_word & (outcode_near | outcode_guard)) == 0};
+    piece.append({view_point(*clip.transform, mesh, corner[i]), store.shades.empty() ? 0 : store.shades[corner[i]],
+                  textured ? store.textures[corner[i]].s : 0, textured ? store.textures[corner[i]].t : 0, corner[i],
+                  (vertices[corner[i]].depth_word & (outcode_near | outcode_guard)) == 0});
   }
-  piece.count = 3;
   clip.clipper->clip(piece);
-  if (piece.count == 0) {
+  if (piece.count() == 0) {
     ++counts.outside;
     return;
   }
-  Link number[ClipPolygon{}.vertex.size()];
-  ScreenVertex screen[ClipPolygon{}.vertex.size()];
+  Link number[ClipPolygon::most_corners];
+  ScreenVertex screen[ClipPolygon::most_corners];
   std::uint32_t all = 0xff;
-  for (unsigned i = 0; i < piece.count; ++i) {
+  for (unsigned i = 0; i < piece.count(); ++i) {
     // A vertex on the very edge of the guard band may survive although its outcode says otherwise: it is made anew.
-    const Link original = piece.vertex[i].original;
+    const Link original = piece[i].original;
     const bool usable = original != no_link && (vertices[original].depth_word & outcode_clip) == 0;
     number[i] = usable ? original : no_link;
-    screen[i] = usable ? vertices[original] : clip.projection->clipped(piece.vertex[i].point);
+    screen[i] = usable ? vertices[original] : clip.projection->clipped(piece[i].point);
     all &= screen[i].depth_word;
   }
   if (all != 0) {
@@ -163,7 +159,7 @@ void PolygonAssembly::clip_triangle(const Mesh& mesh, const ClipContext& clip, c
     return;
   }
   bool back = false, front = false;
-  for (unsigned i = 1; i + 1 < piece.count; ++i) {
+  for (unsigned i = 1; i + 1 < piece.count(); ++i) {
     std::uint32_t culled = 0;
     std::int32_t band;
     const bool drawn = take<true>(screen[0], screen[i], screen[i + 1], band, culled);
@@ -177,10 +173,10 @@ void PolygonAssembly::clip_triangle(const Mesh& mesh, const ClipContext& clip, c
       }
       number[j] = store.count++;
       store.vertices[number[j]] = screen[j];
-      if (!store.shades.empty()) store.shades[number[j]] = piece.vertex[j].shade;
+      if (!store.shades.empty()) store.shades[number[j]] = piece[j].shade;
       if (!store.textures.empty())
         store.textures[number[j]] =
-            clip.textures.make(*clip.textures.nearness, piece.vertex[j].point.z, piece.vertex[j].s, piece.vertex[j].t);
+            clip.textures.make(*clip.textures.nearness, piece[j].point.z, piece[j].s, piece[j].t);
     }
     if (number[0] != no_link && number[i] != no_link && number[i + 1] != no_link)
       append_fan(band, {{number[0], number[i], number[i + 1]}, triangle, polygon});
