@@ -31,15 +31,25 @@ concept SourceWithHoles = requires(const S& view) {
 }
 &&S::has_holes;
 
-/// What a surface of blocks gives in the place of one source: pieces of a run, cut at screen columns that belong to the
-/// surface and not to the run, so that a pixel is the same wherever its run begins. It stands at a column; `rest` is
-/// how many pixels of the piece are left there, `source` a plain source for them, and `next` goes on to the piece
-/// behind it.
+/// What a surface of blocks gives in the place of one source: a run cut at screen columns that belong to the surface
+/// and not to the run, so that a pixel is the same wherever its run begins. It stands at a column; `rest_of_block` is
+/// how many pixels one source serves from there, and `next` goes on behind them. Inside the block are pieces of 4
+/// pixels, of which `rest` are left in the first; from one to the next the source is told to `bend`.
 template <class B>
 concept RunBlocks = requires(B blocks, const B& view) {
   { view.rest() } -> std::convertible_to<std::uint32_t>;
+  { view.rest_of_block() } -> std::convertible_to<std::uint32_t>;
   { view.source() } -> PixelSource;
+  view.source().bend();
   blocks.next();
+};
+
+/// Blocks that can be had 16 columns at a time: at the start of one, `certain(n)` gives the next n, or none; its `next`
+/// is what a source takes up with `restart` where a block begins, and `leave` goes on behind the last.
+template <class B>
+concept WholeBlocks = RunBlocks<B> && requires(B blocks, const B& view) {
+  view.at_block();
+  blocks.leave(view.certain(1u));
 };
 
 /// A surface whose attributes are not linear over the screen (perspective textures): a run is drawn in pieces, each of

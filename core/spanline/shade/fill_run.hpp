@@ -38,14 +38,56 @@ template <PixelSource Source, class Pixel>
   fill_stepped(pixels, count, source);
 }
 
+/// Whole blocks are straight code.
+template <class Source, class Certain, class Pixel>
+[[gnu::always_inline]] inline void fill_whole_blocks(Pixel* pixels, Source source, Certain& certain) {
+  for (std::uint32_t left = certain.count();;) {
+#pragma GCC unroll 4
+    for (std::size_t piece = 0; piece < 4; ++piece) {
+#pragma GCC unroll 4
+      for (std::size_t i = 0; i < 4; ++i) {
+        put(pixels + 4 * piece + i, source);
+        source.forward();
+      }
+      if (piece != 3) source.bend();
+    }
+    if (--left == 0) return;
+    pixels += 16;
+    source.restart(certain.next());
+  }
+}
+
 template <RunBlocks Blocks, class Pixel>
 [[gnu::noinline]] void fill_blocks(Pixel* pixels, std::uint32_t count, Blocks blocks) {
   for (;;) {
-    const std::uint32_t piece = blocks.rest() < count ? blocks.rest() : count;
+    if constexpr (WholeBlocks<Blocks>) {
+      if (count >= 16 && blocks.at_block()) {
+        auto certain = blocks.certain(count / 16);
+        if (certain.count() != 0) {
+          fill_whole_blocks(pixels, blocks.source(), certain);
+          pixels += 16 * certain.count();
+          count -= 16 * certain.count();
+          if (count == 0) return;
+          blocks.leave(certain);
+          continue;
+        }
+      }
+    }
+    const std::uint32_t in_block = blocks.rest_of_block() < count ? blocks.rest_of_block() : count;
+    count -= in_block;
     auto source = blocks.source();
-    fill_stepped(pixels, piece, source);
-    pixels += piece;
-    count -= piece;
+    std::uint32_t left = in_block, piece = blocks.rest();
+    for (;;) {
+      if (piece > left) piece = left;
+      left -= piece;
+      for (; piece != 0; --piece) {
+        put(pixels++, source);
+        source.forward();
+      }
+      if (left == 0) break;
+      source.bend();
+      piece = 4;
+    }
     if (count == 0) return;
     blocks.next();
   }

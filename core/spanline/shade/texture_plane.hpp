@@ -136,29 +136,113 @@ class TextureBlocks {
     rest_ = word(piece_columns - into_piece);
   }
 
-  /// Pixels left in the piece.
+  /// Pixels left in the piece, and to the end of the pieces that one source serves with `bend` between them.
   [[nodiscard]] std::uint32_t rest() const { return rest_; }
+  [[nodiscard]] std::uint32_t rest_of_block() const {
+    return curved_ ? word(block_columns - ((column_ + plane_.origin) & (block_columns - 1))) : rest_;
+  }
   [[nodiscard]] const Coordinates& coordinates() const { return at_; }
   [[nodiscard]] std::int32_t column() const { return column_; }
   /// Whether it stands at the start of a whole block of 16 columns in four pieces.
   [[nodiscard]] bool at_block() const { return curved_ && ((column_ + plane_.origin) & (block_columns - 1)) == 0; }
 
-  /// To the next piece.
+  /// Behind `rest_of_block` pixels.
   void next() {
-    const std::uint32_t length = rest_;
-    column_ += signed_word(length);
-    if (curved_ && ((column_ + plane_.origin) & (block_columns - 1)) != 0) {
-      at_.u += at_.du * length;
-      at_.v += at_.dv * length;
-      at_.bend();
-      rest_ = piece_columns;
-      return;
-    }
+    column_ += signed_word(rest_of_block());
     next_division();
   }
-  /// From the start of a block to the next.
-  void next_block() {
-    column_ += block_columns;
+
+ private:
+  /// 1/w: 2^62 / (w · 2^zeros).
+  struct Inverse {
+    std::uint32_t mantissa;
+    std::int32_t zeros;
+    explicit Inverse(std::uint32_t w) : mantissa(0), zeros(leading_zeros_32(w)) {
+      mantissa = reciprocal_32(w << zeros);
+    }
+    /// (w − w0) / w for a difference of at most a quarter of w, in Q16; and the bow of a parabola that follows from it:
+    /// at the middle the hyperbola leaves the chord by (distance of the ends) · (w − w0) / (2 (w0 + w)), which is
+    /// share/4 · (1 + share/2 + …), good to a thousandth of the distance.
+    [[nodiscard]] std::int32_t bow(std::int32_t difference) const {
+      const std::int32_t share = (signed_word(word(difference) << zeros) >> 15) * signed_word(mantissa >> 16) >> 15;
+      return (share + (share * share >> 17)) >> 2;
+    }
+    /// part/w in Q30, for part in [0, w].
+    [[nodiscard]] std::uint32_t share(std::uint32_t part) const { return multiply_high(part << zeros, mantissa); }
+  };
+
+  /// Chords of the parabola through both ends whose middle lies `bow`/2^16 of their distance off the straight line:
+  /// their steps fall by an eighth of that from one to the next. The chords are moved by 3/64 of it, which more than
+  /// halves the mean error of the columns.
+  static void set_axis(std::uint32_t from, std::uint32_t to, std::int32_t bow, std::uint32_t& at, std::uint32_t& step,
+                       std::uint32_t& bend) {
+    const std::int32_t distance = signed_word(to - from);
+    const std::int32_t off = signed_word(word(distance >> 12) * word(bow)) >> 4;
+    at = from + word(3 * off >> 6);
+    step = word((distance + 3 * off) >> 4);
+    bend = word(off >> 3);
+  }
+
+ public:
+  /// Blocks that follow each other and are all drawn as parabolas: the words are linear, so what holds for the first
+  /// and the last end holds for those between, and none needs a check.
+  class CertainBlocks {
+   public:
+    [[nodiscard]] std::uint32_t count() const { return count_; }
+    /// The block behind the one that came last.
+    [[nodiscard, gnu::always_inline]] Coordinates next() {
+      const std::uint32_t from_u = at_u_, from_v = at_v_;
+      w_ += dw_;
+      u_ += du_;
+      v_ += dv_;
+      const Inverse inverse(w_);
+      at_u_ = base_u_ + (inverse.share(u_) << left_u_ >> right_u_);
+      at_v_ = base_v_ + (inverse.share(v_) << left_v_ >> right_v_);
+      Coordinates c;
+      const std::int32_t bow = inverse.bow(signed_word(dw_));
+      set_axis(from_u, at_u_, bow, c.u, c.du, c.ddu);
+      set_axis(from_v, at_v_, bow, c.v, c.dv, c.ddv);
+      return c;
+    }
+
+   private:
+    friend class TextureBlocks;
+    std::uint32_t count_ = 0;
+    std::uint32_t w_, u_, v_, at_u_, at_v_;  ///< at the end of the block that came last
+    std::uint32_t dw_, du_, dv_;             ///< a block
+    std::uint32_t base_u_, base_v_;
+    std::uint32_t left_u_, right_u_, left_v_, right_v_;
+  };
+
+  /// Of the next `count` ≥ 1 whole blocks, from the start of a block on: all, or none where it is not certain.
+  [[nodiscard]] CertainBlocks certain(std::uint32_t count) const {
+    CertainBlocks blocks;
+    const std::int32_t end = column_ + block_columns, last = column_ + block_columns * signed_word(count);
+    const std::uint32_t w = plane_.w.at(last);
+    blocks.dw_ = plane_.w.dx * block_columns;
+    if (!in_range(w, plane_.u.at(last), plane_.v.at(last)) || magnitude(signed_word(blocks.dw_)) > w >> 2)
+      return blocks;
+    blocks.count_ = count;
+    blocks.w_ = last_.w;
+    blocks.u_ = plane_.u.at(end);
+    blocks.v_ = plane_.v.at(end);
+    blocks.at_u_ = last_.u;
+    blocks.at_v_ = last_.v;
+    blocks.du_ = plane_.u.dx * block_columns;
+    blocks.dv_ = plane_.v.dx * block_columns;
+    blocks.base_u_ = plane_.base_u;
+    blocks.base_v_ = plane_.base_v;
+    const auto part = [](int shift) { return word(shift > 0 ? shift : 0); };
+    blocks.left_u_ = part(plane_.shift_u);
+    blocks.right_u_ = part(-plane_.shift_u);
+    blocks.left_v_ = part(plane_.shift_v);
+    blocks.right_v_ = part(-plane_.shift_v);
+    return blocks;
+  }
+  /// Behind certain blocks that have all been drawn.
+  void leave(const CertainBlocks& blocks) {
+    column_ += block_columns * signed_word(blocks.count_);
+    last_ = {blocks.w_, blocks.at_u_, blocks.at_v_, true};
     next_division();
   }
 
@@ -171,17 +255,6 @@ class TextureBlocks {
     std::uint32_t u, v;  ///< texture coordinates
     bool valid;          ///< w positive, u/w and v/w in [0, 1]
   };
-  /// 1/w: 2^62 / (w · 2^zeros).
-  struct Inverse {
-    std::uint32_t mantissa;
-    std::int32_t zeros;
-    explicit Inverse(std::uint32_t w) : mantissa(0), zeros(leading_zeros_32(w)) {
-      mantissa = reciprocal_32(w << zeros);
-    }
-    /// part/w in Q30, for part in [0, w].
-    [[nodiscard]] std::uint32_t share(std::uint32_t part) const { return multiply_high(part << zeros, mantissa); }
-  };
-
   [[nodiscard]] static std::uint32_t shifted(std::uint32_t q30, int shift) {
     return shift >= 0 ? q30 << shift : q30 >> -shift;
   }
@@ -236,27 +309,11 @@ class TextureBlocks {
     const std::int32_t difference = signed_word(last_.w - first.w);
     if (!first.valid || magnitude(difference) > last_.w >> 2) return;
     curved_ = true;
-    // (w1 − w0) / w1 in Q16, at most a quarter. At the middle the hyperbola leaves the chord by (distance of the ends)
-    // · (w1 − w0) / (2 (w0 + w1)), which is share/4 · (1 + share/2 + …): good to a thousandth of the distance.
-    const std::int32_t share =
-        (signed_word(word(difference) << inverse.zeros) >> 15) * signed_word(inverse.mantissa >> 16) >> 15;
-    const std::int32_t bow = share + (share * share >> 17);  // Q18
-    set_axis(first.u, last_.u, bow >> 2, at_.u, at_.du, at_.ddu);
-    set_axis(first.v, last_.v, bow >> 2, at_.v, at_.dv, at_.ddv);
+    const std::int32_t bow = inverse.bow(difference);
+    set_axis(first.u, last_.u, bow, at_.u, at_.du, at_.ddu);
+    set_axis(first.v, last_.v, bow, at_.v, at_.dv, at_.ddv);
     rest_ = piece_columns;
   }
-  /// Chords of the parabola through both ends whose middle lies `bow`/2^16 of their distance off the straight line:
-  /// their steps fall by an eighth of that from one to the next. The chords are moved by 3/64 of it, which more than
-  /// halves the mean error of the columns.
-  static void set_axis(std::uint32_t from, std::uint32_t to, std::int32_t bow, std::uint32_t& at, std::uint32_t& step,
-                       std::uint32_t& bend) {
-    const std::int32_t distance = signed_word(to - from);
-    const std::int32_t off = signed_word(word(distance >> 12) * word(bow)) >> 4;
-    at = from + word(3 * off >> 6);
-    step = word((distance + 3 * off) >> 4);
-    bend = word(off >> 3);
-  }
-
   const TexturePlane& plane_;
   std::int32_t column_;
   std::uint32_t rest_ = 1;

@@ -119,6 +119,15 @@ struct TextureShader {
       light.back();
     }
     void bend() { coordinates.bend(); }
+    /// From one block to the next; light goes on. Member by member: a copy of the whole goes through memory.
+    void restart(const TextureBlocks::Coordinates& c) {
+      coordinates.u = c.u;
+      coordinates.v = c.v;
+      coordinates.du = c.du;
+      coordinates.dv = c.dv;
+      coordinates.ddu = c.ddu;
+      coordinates.ddv = c.ddv;
+    }
   };
 
   struct Surface;
@@ -126,12 +135,18 @@ struct TextureShader {
    public:
     Blocks(const Surface& surface, std::int32_t column) : surface_(surface), walk_(surface.plane, column) {}
     [[nodiscard]] std::uint32_t rest() const { return walk_.rest(); }
+    [[nodiscard]] std::uint32_t rest_of_block() const { return walk_.rest_of_block(); }
     [[nodiscard]] bool at_block() const { return walk_.at_block(); }
     [[nodiscard]] Source source() const {
-      return {walk_.coordinates(), surface_.light.at(walk_.column()), surface_.texels};
+      Source source;
+      source.restart(walk_.coordinates());
+      source.light = surface_.light.at(walk_.column());
+      source.texels = surface_.texels;
+      return source;
     }
     void next() { walk_.next(); }
-    void next_block() { walk_.next_block(); }
+    [[nodiscard]] TextureBlocks::CertainBlocks certain(std::uint32_t count) const { return walk_.certain(count); }
+    void leave(const TextureBlocks::CertainBlocks& blocks) { walk_.leave(blocks); }
 
    private:
     const Surface& surface_;

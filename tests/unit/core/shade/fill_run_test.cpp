@@ -49,9 +49,11 @@ struct Stairs {
     [[nodiscard]] std::uint16_t get() const { return value; }
     void forward() { ++value; }
     void back() { --value; }
+    void bend() {}
   };
   struct Blocks {
     std::int32_t column;
+    [[nodiscard]] std::uint32_t rest_of_block() const { return rest(); }
     [[nodiscard]] std::uint32_t rest() const { return 16 - static_cast<std::uint32_t>((column + 3) & 15); }
     [[nodiscard]] Source source() const { return {value_at(column)}; }
     void next() { column += static_cast<std::int32_t>(rest()); }
