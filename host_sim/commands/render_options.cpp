@@ -66,6 +66,9 @@ void add_drawing_options(CLI::App& command, RenderTexts& texts) {
   command.add_option("--pick", texts.pick, "prints the triangle at a pixel, numbered from 1, and its depth")
       ->type_name("X,Y")
       ->group(group);
+  command.add_option("--texture", texts.texture, "a PNG for --shade texture, sides powers of two")
+      ->type_name("FILE")
+      ->group(group);
   command.add_option("--panel", texts.panel, "through that panel's driver and model, at its size")
       ->type_name("NAME")
       ->group(group);
@@ -75,7 +78,6 @@ void add_later_options(CLI::App& command, RenderTexts& texts) {
   const std::string group = "Not available yet";
   command.add_option("--structure", texts.structure, "for ray")->type_name("grid|octree|kd|bsp")->group(group);
   command.add_flag("--wireframe", texts.wireframe)->group(group);
-  command.add_option("--texture", texts.texture)->type_name("FILE")->group(group);
   command.add_option("--filter", texts.filter)->type_name("nearest|bilinear")->group(group);
   command.add_flag("--mipmap", texts.mipmap)->group(group);
   command.add_option("--wrap", texts.wrap)->type_name("repeat|clamp")->group(group);
@@ -87,9 +89,8 @@ void add_later_options(CLI::App& command, RenderTexts& texts) {
 }
 
 void refuse_later_options(const RenderTexts& texts) {
-  const std::array<std::pair<const char*, bool>, 11> later{{{"--structure", texts.structure.has_value()},
+  const std::array<std::pair<const char*, bool>, 10> later{{{"--structure", texts.structure.has_value()},
                                                             {"--wireframe", texts.wireframe},
-                                                            {"--texture", texts.texture.has_value()},
                                                             {"--filter", texts.filter.has_value()},
                                                             {"--mipmap", texts.mipmap},
                                                             {"--wrap", texts.wrap.has_value()},
@@ -140,6 +141,10 @@ void parse_drawing(const RenderTexts& texts, RenderArguments& arguments) {
   if (texts.size) arguments.size = parse_size("--size", *texts.size);
   arguments.visibility = &find_visibility(texts.visibility.value_or("scanline-z"));
   if (texts.shade) arguments.shading = &find_shading(*texts.shade);
+  arguments.texture = texts.texture;
+  if (arguments.shading == nullptr && arguments.texture) arguments.shading = &find_shading("texture");
+  if (arguments.shading != nullptr && arguments.shading->textured && !arguments.texture)
+    throw UsageError("--shade texture: wants a texture (--texture FILE)");
   if (texts.depth)
     arguments.depth_bits = parse_choice("--depth", *texts.depth, std::array{std::pair{"16", 16}, std::pair{"24", 24}});
   if (texts.depth_sense)

@@ -75,6 +75,7 @@ class SceneBuilder {
       const aiMesh& mesh = *file.mMeshes[i];
       any_normals_ = any_normals_ || (keep_normals && mesh.HasNormals());
       any_vertex_colours_ = any_vertex_colours_ || mesh.HasVertexColors(0);
+      any_texture_points_ = any_texture_points_ || mesh.HasTextureCoords(0);
       any_materials_ = any_materials_ || material_colour(file, mesh.mMaterialIndex).has_value();
     }
   }
@@ -121,6 +122,7 @@ class SceneBuilder {
       const Vector3 position = world.point(to_vector(mesh.mVertices[i]));
       if (!finite(position)) throw std::runtime_error("has a coordinate that is not a finite number");
       scene_.positions.push_back(position);
+      if (any_texture_points_) scene_.texture_points.push_back(texture_point(mesh, i));
       if (any_normals_) scene_.vertex_normals.push_back(vertex_normal(mesh, i, world));
       if (any_vertex_colours_)
         scene_.vertex_colours.push_back(mesh.HasVertexColors(0) ? (to_factor(mesh.mColors[0][i]) * colour).rounded()
@@ -133,6 +135,14 @@ class SceneBuilder {
     const Vector3 normal = to_vector(mesh.mNormals[vertex]);
     if (!finite(normal)) throw std::runtime_error("has a normal that is not a finite number");
     return normalised(world.normal(normalised(normal)));
+  }
+
+  /// Assimp's t counts upwards.
+  static TexturePoint texture_point(const aiMesh& mesh, unsigned vertex) {
+    if (!mesh.HasTextureCoords(0)) return {};
+    const Vector3 point = to_vector(mesh.mTextureCoords[0][vertex]);
+    if (!finite(point)) throw std::runtime_error("has a texture coordinate that is not a finite number");
+    return {point.x, 1 - point.y};
   }
 
   void add_polygon(const aiMesh& mesh, const aiFace& face, bool mirrored) {
@@ -157,6 +167,7 @@ class SceneBuilder {
   bool keep_normals_;
   bool any_normals_ = false;
   bool any_vertex_colours_ = false;
+  bool any_texture_points_ = false;
   bool any_materials_ = false;
   std::size_t first_vertex_ = 0;
   Scene scene_;

@@ -14,10 +14,11 @@ namespace {
 constexpr auto visibility_table =
     std::apply([](const auto&... lines) { return std::array{lines.entry...}; }, visibility_list);
 
-constexpr std::array<ShadingEntry, 3> shading_table{{
-    {"flat", "one brightness a polygon", false, true},
-    {"gouraud", "brightness interpolated between the vertices", true, true},
-    {"unlit", "colours as they are, without light", true, false},
+constexpr std::array<ShadingEntry, 4> shading_table{{
+    {"flat", "one brightness a polygon", false, true, false},
+    {"gouraud", "brightness interpolated between the vertices", true, true, false},
+    {"texture", "a texture under brightness interpolated between the vertices", true, true, true},
+    {"unlit", "colours as they are, without light", true, false, false},
 }};
 
 struct BoardEntry {
@@ -39,7 +40,7 @@ constexpr std::array<BoardEntry, 8> board_table{{
 /// Names of the command line that have no algorithm yet.
 constexpr std::array<std::string_view, 7> later_visibility{"painter", "depth-sort",      "bsp", "bsp-front",
                                                            "warnock", "weiler-atherton", "ray"};
-constexpr std::array<std::string_view, 1> later_shading{"texture"};
+constexpr std::array<std::string_view, 0> later_shading{};
 
 template <class Table, class Later>
 const auto& find(const char* option, const Table& table, const Later& later, const std::string& name) {

@@ -20,8 +20,9 @@ struct VisibilityEntry {
 struct ShadingEntry {
   const char* name;
   const char* description;
-  bool smooth;  ///< interpolates light and colour between vertices
-  bool lit;     ///< by lights; otherwise fully bright
+  bool smooth;    ///< interpolates light and colour between vertices
+  bool lit;       ///< by lights; otherwise fully bright
+  bool textured;  ///< by the texture that --texture names, under white light
 };
 
 /// A line of `spanline list`.

@@ -157,6 +157,7 @@ class FrameDrawing {
     // Without normals every vertex is fully lit: only colours of vertices call for interpolation then.
     const bool smooth = request.smooth && !(first.vertex_normals.empty() && first.vertex_colours.empty());
     material_ = {first.colour, smooth ? ShadingMode::gouraud : ShadingMode::flat};
+    material_.texturing.texture = request.texture;
   }
 
   Frame draw() {
@@ -186,7 +187,7 @@ class FrameDrawing {
   }
 
   void draw_colours(Frame& frame) {
-    Pass<FullTraits<Rgb565, Depth, true, Visibility>> pass(meshes_, settings_, material_);
+    Pass<TextureTraits<Rgb565, Depth, true, Visibility>> pass(meshes_, settings_, material_);
     pass.want_depth = request_.want_depth;
     pass.want_covered = request_.want_statistics;
     pass.run(capacity_, memory_, triangles_);
@@ -247,6 +248,7 @@ Result FrameRenderer::with_drawing(const FrameRequest& request, F f) {
   capacity_.height = static_cast<std::uint16_t>(request.size.height);
   capacity_.band_lines = static_cast<std::uint16_t>(request.band_lines);
   capacity_.colour_bands = 1;
+  if (request.texture != nullptr) capacity_.textures = std::max(capacity_.textures, capacity_.vertices);
   if (request.smooth) capacity_.shades = std::max(capacity_.shades, capacity_.vertices);
   if (request.band_lines < request.size.height || !request.visibility->full_frame)
     capacity_.active = std::max(capacity_.active, std::min(capacity_.polygons, first_active));

@@ -22,7 +22,8 @@ struct FrameRequest {
   int depth_bits = 16;
   DepthSense depth_sense = DepthSense::smaller_is_nearer;
   Cull cull = Cull::back;
-  bool smooth = false;  ///< Gouraud
+  bool smooth = false;               ///< Gouraud
+  const Texture* texture = nullptr;  ///< on meshes with texture coordinates; stays until the frame is drawn
   Camera camera;
   SceneLight light;
   Rgb888 background;

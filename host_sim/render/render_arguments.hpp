@@ -18,6 +18,7 @@ struct RenderArguments {
   ViewRequest view;
   const VisibilityEntry* visibility = nullptr;
   const ShadingEntry* shading = nullptr;  ///< nullptr: by what the model has
+  std::optional<std::string> texture;     ///< a file; used where the shading is textured
   std::optional<int> depth_bits;          ///< by the algorithm where it is not given
   DepthSense depth_sense = DepthSense::smaller_is_nearer;
   int band_lines = 16;

@@ -10,6 +10,14 @@ const ShadingEntry& default_shading(const Scene& scene) {
 }
 
 Scene prepared_for(Scene scene, const ShadingEntry& shading) {
+  if (shading.textured) {
+    // Colours give way to the texture.
+    scene.vertex_colours.clear();
+    scene.polygon_colours.clear();
+    scene.colour = {255, 255, 255};
+  } else {
+    scene.texture_points.clear();
+  }
   if (shading.lit && shading.smooth)
     complete_vertex_normals(scene);
   else

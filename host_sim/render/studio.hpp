@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include "image/texture_image.hpp"
 #include "render/frame.hpp"
 #include "render/panel_picture.hpp"
 #include "render/render_arguments.hpp"
@@ -10,7 +11,7 @@ namespace spanline::sim {
 /// A model made ready to be drawn from one camera, or from one that turns about it.
 class Studio {
  public:
-  /// Reads the model. `arguments` outlives the studio.
+  /// Reads the model and its texture. `arguments` outlives the studio.
   explicit Studio(const RenderArguments& arguments);
 
   /// The frame after the model has turned by `turns` of a full circle; 0 is the view as it was asked for.
@@ -23,6 +24,8 @@ class Studio {
   [[nodiscard]] Picture picture(const Frame& frame);
 
  private:
+  [[nodiscard]] FrameRequest request(const View& view, const SceneLight& light) const;
+
   const RenderArguments& arguments_;
   Scene scene_;
   const ShadingEntry* shading_ = nullptr;
@@ -31,6 +34,8 @@ class Studio {
   World world_;
   std::optional<FrameRenderer> renderer_;
   std::optional<DeskPanel> panel_;
+  TextureImage image_;
+  Texture texture_;
 };
 
 }  // namespace spanline::sim

@@ -1,8 +1,10 @@
 #include "scene/core_mesh.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "base/failure.hpp"
 #include "scene/core_values.hpp"
 
 namespace spanline::sim {
@@ -11,11 +13,22 @@ namespace {
 constexpr int wide_step_exponent = -16;
 constexpr std::uint32_t no_vertex = std::numeric_limits<std::uint32_t>::max();
 
+/// The finest unit of texture coordinates that 16 bits allow, from 2^-14 on.
+int texture_exponent_for(const std::vector<TexturePoint>& points) {
+  double greatest = 0;
+  for (const TexturePoint& p : points) greatest = std::max({greatest, std::fabs(p.s), std::fabs(p.t)});
+  int exponent = -14;
+  while (std::ldexp(greatest, -exponent) > 32767) ++exponent;
+  if (exponent > -5) throw Failure("the model repeats its texture more than a thousand times");
+  return exponent;
+}
+
 /// Fills one mesh after the other with the scene's triangles.
 class MeshCutter {
  public:
   MeshCutter(const Scene& scene, const World& world) : scene_(scene), world_(world) {
     local_.assign(scene.positions.size(), no_vertex);
+    texture_exponent_ = texture_exponent_for(scene.texture_points);
   }
 
   std::vector<CoreMesh> cut() {
@@ -56,12 +69,20 @@ class MeshCutter {
         {static_cast<std::int32_t>(point.x), static_cast<std::int32_t>(point.y), static_cast<std::int32_t>(point.z)});
     if (!scene_.vertex_normals.empty()) mesh_.vertex_normals.push_back(to_packed_normal(scene_.vertex_normals[vertex]));
     if (!scene_.vertex_colours.empty()) mesh_.vertex_colours.push_back(scene_.vertex_colours[vertex]);
+    if (!scene_.texture_points.empty()) {
+      const TexturePoint on_texture = scene_.texture_points[vertex];
+      const auto units = [&](double v) {
+        return static_cast<std::int16_t>(std::lround(std::ldexp(v, -texture_exponent_)));
+      };
+      mesh_.texture_coordinates.push_back({units(on_texture.s), units(on_texture.t)});
+    }
     return local_[vertex];
   }
 
   void finish_mesh() {
     for (const std::uint32_t vertex : used_) local_[vertex] = no_vertex;
     mesh_.step_exponent = wide_step_exponent;
+    mesh_.texture_exponent = texture_exponent_;
     mesh_.colour = scene_.colour;
     meshes_.push_back(std::move(mesh_));
     mesh_ = {};
@@ -70,6 +91,7 @@ class MeshCutter {
 
   const Scene& scene_;
   const World& world_;
+  int texture_exponent_ = -14;
   std::vector<CoreMesh> meshes_;
   CoreMesh mesh_;
   std::vector<std::uint32_t> local_;        ///< number within the mesh of each of the scene's vertices
@@ -88,6 +110,8 @@ Mesh CoreMesh::view() const {
   mesh.vertex_normals = vertex_normals;
   mesh.polygon_colours = polygon_colours;
   mesh.vertex_colours = vertex_colours;
+  mesh.texture_coordinates = texture_coordinates;
+  mesh.texture_exponent = static_cast<std::int8_t>(texture_exponent);
   mesh.offset = offset;
   mesh.step_exponent = static_cast<std::int8_t>(step_exponent);
   mesh.bounds = bounds;

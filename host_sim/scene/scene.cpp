@@ -10,7 +10,7 @@ namespace {
 
 /// All that tells one vertex from another, as bits: doubles compare by value (−0 is 0), so equal bits are equal values.
 struct VertexKey {
-  std::array<std::uint64_t, 7> words{};
+  std::array<std::uint64_t, 9> words{};
   friend bool operator==(const VertexKey&, const VertexKey&) = default;
 
   void put(std::size_t at, Vector3 v) {
@@ -61,6 +61,7 @@ Scene welded(const Scene& scene) {
   result.triangles.reserve(scene.triangles.size());
   const bool normals = !scene.vertex_normals.empty();
   const bool colours = !scene.vertex_colours.empty();
+  const bool textured = !scene.texture_points.empty();
   std::unordered_map<VertexKey, std::uint32_t, VertexKeyHash> numbers;
   numbers.reserve(scene.positions.size());
   for (const Scene::Triangle& triangle : scene.triangles) {
@@ -73,11 +74,15 @@ Scene welded(const Scene& scene) {
       key.put(0, scene.positions[old]);
       key.put(3, normal);
       key.words[6] = std::uint64_t{colour.red} << 16 | std::uint64_t{colour.green} << 8 | colour.blue;
+      const TexturePoint point = textured ? scene.texture_points[old] : TexturePoint{};
+      key.words[7] = std::bit_cast<std::uint64_t>(point.s + 0.0);
+      key.words[8] = std::bit_cast<std::uint64_t>(point.t + 0.0);
       const auto [entry, is_new] = numbers.try_emplace(key, static_cast<std::uint32_t>(result.positions.size()));
       if (is_new) {
         result.positions.push_back(scene.positions[old]);
         push_if_used(result.vertex_normals, normals, normal);
         push_if_used(result.vertex_colours, colours, colour);
+        push_if_used(result.texture_points, textured, point);
       }
       corners[i] = entry->second;
     }

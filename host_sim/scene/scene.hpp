@@ -8,6 +8,12 @@
 
 namespace spanline::sim {
 
+/// A point of a texture: s to the right, t downwards, 1 is the whole texture.
+struct TexturePoint {
+  double s = 0, t = 0;
+  friend bool operator==(TexturePoint, TexturePoint) = default;
+};
+
 /// A model as it comes from its file, in world space and in doubles: right-handed, y up, front faces counter-clockwise.
 ///
 /// Triangles stand in file order; a polygon of n corners is the fan (0,1,2), (0,2,3) … Every table is either empty or
@@ -16,13 +22,14 @@ struct Scene {
   using Triangle = std::array<std::uint32_t, 3>;
 
   std::vector<Vector3> positions;
-  std::vector<Vector3> vertex_normals;   ///< unit length, one a vertex
-  std::vector<Rgb888> vertex_colours;    ///< one a vertex
-  std::vector<Triangle> triangles;       ///< vertex numbers
-  std::vector<Vector3> polygon_normals;  ///< one a triangle: its polygon's (Newell), zero if it has no area
-  std::vector<Rgb888> polygon_colours;   ///< one a triangle
-  Rgb888 colour{};                       ///< of everything, where there are no tables of colours
-  bool normals_from_file = false;        ///< the file itself has vertex normals
+  std::vector<Vector3> vertex_normals;       ///< unit length, one a vertex
+  std::vector<Rgb888> vertex_colours;        ///< one a vertex
+  std::vector<TexturePoint> texture_points;  ///< one a vertex
+  std::vector<Triangle> triangles;           ///< vertex numbers
+  std::vector<Vector3> polygon_normals;      ///< one a triangle: its polygon's (Newell), zero if it has no area
+  std::vector<Rgb888> polygon_colours;       ///< one a triangle
+  Rgb888 colour{};                           ///< of everything, where there are no tables of colours
+  bool normals_from_file = false;            ///< the file itself has vertex normals
 };
 
 /// The box around all vertices that a triangle uses.

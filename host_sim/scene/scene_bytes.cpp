@@ -1,6 +1,7 @@
 #include "scene/scene_bytes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace spanline::sim {
@@ -28,14 +29,18 @@ bool take(std::span<const std::byte>& bytes, std::vector<T>& table) {
   return true;
 }
 
+bool finite_point(TexturePoint p) { return std::isfinite(p.s) && std::isfinite(p.t); }
+
 bool consistent(const Scene& scene) {
   const auto none_or = [](std::size_t size, std::size_t wanted) { return size == 0 || size == wanted; };
   const std::size_t vertices = scene.positions.size();
   const std::size_t triangles = scene.triangles.size();
   return none_or(scene.vertex_normals.size(), vertices) && none_or(scene.vertex_colours.size(), vertices) &&
-         none_or(scene.polygon_colours.size(), triangles) && scene.polygon_normals.size() == triangles &&
+         none_or(scene.texture_points.size(), vertices) && none_or(scene.polygon_colours.size(), triangles) &&
+         scene.polygon_normals.size() == triangles &&
          std::all_of(scene.positions.begin(), scene.positions.end(), finite) &&
          std::all_of(scene.vertex_normals.begin(), scene.vertex_normals.end(), finite) &&
+         std::all_of(scene.texture_points.begin(), scene.texture_points.end(), finite_point) &&
          std::all_of(scene.polygon_normals.begin(), scene.polygon_normals.end(), finite) &&
          std::all_of(scene.triangles.begin(), scene.triangles.end(), [vertices](const Scene::Triangle& t) {
            return t[0] < vertices && t[1] < vertices && t[2] < vertices;
@@ -51,6 +56,7 @@ std::vector<std::byte> to_bytes(const Scene& scene) {
   put(bytes, scene.positions);
   put(bytes, scene.vertex_normals);
   put(bytes, scene.vertex_colours);
+  put(bytes, scene.texture_points);
   put(bytes, scene.triangles);
   put(bytes, scene.polygon_normals);
   put(bytes, scene.polygon_colours);
@@ -63,8 +69,9 @@ std::optional<Scene> scene_from_bytes(std::span<const std::byte> bytes) {
   scene.normals_from_file = bytes[0] != std::byte{0};
   bytes = bytes.subspan(1);
   const bool whole = take(bytes, scene.positions) && take(bytes, scene.vertex_normals) &&
-                     take(bytes, scene.vertex_colours) && take(bytes, scene.triangles) &&
-                     take(bytes, scene.polygon_normals) && take(bytes, scene.polygon_colours) && bytes.empty();
+                     take(bytes, scene.vertex_colours) && take(bytes, scene.texture_points) &&
+                     take(bytes, scene.triangles) && take(bytes, scene.polygon_normals) &&
+                     take(bytes, scene.polygon_colours) && bytes.empty();
   if (!whole || !consistent(scene)) return std::nullopt;
   return scene;
 }

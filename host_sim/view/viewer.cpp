@@ -163,8 +163,9 @@ class Viewer {
     if (key == SDLK_c) choices_.next_cull();
     if (key == SDLK_r) orbit_.reset();
     if (key == SDLK_s) {
-      choices_.shading = (choices_.shading + 1) % shadings().size();
-      renderer_.reset();  // other shadings need other tables
+      do choices_.shading = (choices_.shading + 1) % shadings().size();
+      while (shadings()[choices_.shading].textured);  // the window has no texture
+      renderer_.reset();                              // other shadings need other tables
     }
   }
 

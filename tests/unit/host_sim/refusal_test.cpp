@@ -194,9 +194,9 @@ TEST_F(RefusalTest, WhatIsNotAvailableYetSaysSo) {
   const std::string model = make_file("a.obj", cube_obj());
   const auto before = files();
   std::vector<std::vector<std::string>> later{
-      {"--wireframe"},         {"--texture", "a.png"}, {"--filter", "bilinear"},    {"--mipmap"},
-      {"--wrap", "clamp"},     {"--opacity", "0.5"},   {"--transparency", "blend"}, {"--samples", "4"},
-      {"--fog", "1,2,FFFFFF"}, {"--dither"},           {"--structure", "grid"},     {"--shade", "texture"}};
+      {"--wireframe"},      {"--filter", "bilinear"},    {"--mipmap"},       {"--wrap", "clamp"},
+      {"--opacity", "0.5"}, {"--transparency", "blend"}, {"--samples", "4"}, {"--fog", "1,2,FFFFFF"},
+      {"--dither"},         {"--structure", "grid"}};
   for (const std::string name : {"painter", "depth-sort", "bsp", "bsp-front", "warnock", "weiler-atherton", "ray"})
     later.push_back({"--visibility", name});
   const auto check = [&](std::vector<std::string> arguments) {

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <tuple>
 
+#include "image/png.hpp"
 #include "model_files.hpp"
 #include "tool.hpp"
 
@@ -54,6 +55,65 @@ TEST_F(RenderTest, IdsCountTrianglesOfFansInFileOrder) {
   std::set<std::uint32_t> seen;
   for (const Rgb888 pixel : ids.pixels) seen.insert(number_of(pixel));
   EXPECT_EQ(seen, (std::set<std::uint32_t>{0, 1, 2}));
+}
+
+/// A square of two units that faces +z, its texture upright.
+std::string textured_square() {
+  return "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
+}
+
+/// Each texel its own colour of five bits a channel.
+Picture numbered_picture(int width, int height) {
+  Picture picture(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      picture.at(x, y) = {static_cast<std::uint8_t>(x * 8), static_cast<std::uint8_t>(y * 8), 255};
+  return picture;
+}
+
+std::string png_bytes(const Picture& picture) {
+  const std::vector<std::byte> bytes = encode_png(picture);
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+TEST_F(RenderTest, ATextureLiesUprightOnTheModel) {
+  const std::string model = make_file("a.obj", textured_square());
+  const std::string texture = make_file("t.png", png_bytes(numbered_picture(16, 32)));
+  for (const char* visibility : {"zbuffer", "scanline-z", "span"}) {
+    const Picture picture = render(model, {"--ortho", "2", "--size", "64x64", "--texture", texture, "--ambient", "1",
+                                           "--eye", "0,0,3", "--target", "0,0,0", "--visibility", visibility});
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 64; ++x) {
+        ASSERT_LE(greatest_difference(picture.at(x, y), {static_cast<std::uint8_t>(x / 4 * 8),
+                                                         static_cast<std::uint8_t>(y / 2 * 8), 255}),
+                  8)
+            << visibility << " " << x << ", " << y;
+      }
+  }
+}
+
+TEST_F(RenderTest, TexturesThatCannotBeAreRefusedByName) {
+  const std::string model = make_file("a.obj", textured_square()), bare = make_file("b.obj", cube_obj());
+  const std::string good = make_file("good.png", png_bytes(numbered_picture(8, 8)));
+  const std::string bytes = png_bytes(numbered_picture(8, 8));
+  const std::vector<std::pair<std::string, std::string>> bad{{"odd.png", png_bytes(numbered_picture(12, 8))},
+                                                             {"large.png", png_bytes(Picture(4096, 1))},
+                                                             {"cut.png", bytes.substr(0, bytes.size() / 2)},
+                                                             {"empty.png", ""},
+                                                             {"text.png", "this is no picture"},
+                                                             {"jpeg.png", "\xff\xd8\xff\xe0 and more"}};
+  std::vector<std::string> paths{in_folder("missing.png"), in_folder("")};
+  for (const auto& [name, content] : bad) paths.push_back(make_file(name, content));
+  const auto before = files();
+  for (const std::string& path : paths) {
+    const ToolRun result = run({"render", model, "-o", in_folder("out.png"), "--texture", path});
+    expect_refused(result, 1, before);
+    EXPECT_NE(result.errors.find(path), std::string::npos) << result.errors;
+  }
+  const ToolRun without = run({"render", bare, "-o", in_folder("out.png"), "--texture", good});
+  expect_refused(without, 1, before);
+  EXPECT_NE(without.errors.find("b.obj: has no texture coordinates"), std::string::npos) << without.errors;
+  expect_refused(run({"render", model, "-o", in_folder("out.png"), "--shade", "texture"}), 2, before);
 }
 
 TEST_F(RenderTest, CullingChoosesFaces) {

@@ -51,12 +51,15 @@ TEST(VertexNormals, AreWeightedByArea) {
 TEST(SceneBytes, RoundTripAndRefusal) {
   Scene scene = welded(loose_square());
   scene.polygon_colours.assign(2, Rgb888{7, 8, 9});
+  for (std::size_t i = 0; i < scene.positions.size(); ++i)
+    scene.texture_points.push_back({static_cast<double>(i) / 4, -1});
   std::vector<std::byte> bytes = to_bytes(scene);
   const std::optional<Scene> copy = scene_from_bytes(bytes);
   ASSERT_TRUE(copy);
   EXPECT_EQ(copy->positions, scene.positions);
   EXPECT_EQ(copy->triangles, scene.triangles);
   EXPECT_EQ(copy->polygon_colours, scene.polygon_colours);
+  EXPECT_EQ(copy->texture_points, scene.texture_points);
   for (std::size_t size = 0; size < bytes.size(); ++size)
     EXPECT_FALSE(scene_from_bytes(std::span(bytes).first(size))) << size;
   scene.triangles[0][0] = 99;
