@@ -55,6 +55,8 @@ void grow(Capacity& capacity, const Status& status) {
       return to(capacity.fans);
     case Pool::active:
       return to(capacity.active);
+    case Pool::layers:
+      return to(capacity.layers);
     case Pool::none:
     case Pool::memory:
       break;

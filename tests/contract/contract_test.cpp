@@ -1,6 +1,8 @@
 // One suite for every visibility algorithm: what is listed is tested, by the class that it states there.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "generators.hpp"
 #include "support/effort.hpp"
 #include "verdict.hpp"
@@ -39,6 +41,18 @@ TEST_P(Contract, EveryAlgorithmDrawsColoursByItsClass) {
     Random random(seed_of(generator, round));
     const Scene scene = generator.make(random);
     ASSERT_EQ(fault_in(scene, manner_of(i, Manner::Content::colours)), "")
+        << generator.name << ", seed " << seed_of(generator, round);
+  }
+}
+
+TEST_P(Contract, EveryAlgorithmDrawsLayersByItsClass) {
+  const Generator& generator = GetParam();
+  const int rounds = test::rounds(std::max(generator.rounds / 4, 1));
+  for (int i = 0; i < rounds; ++i) {
+    const int round = i + 2'000'000;
+    Random random(seed_of(generator, round));
+    const Scene scene = generator.make(random);
+    ASSERT_EQ(fault_in(scene, manner_of(i, Manner::Content::layers)), "")
         << generator.name << ", seed " << seed_of(generator, round);
   }
 }

@@ -1,11 +1,13 @@
 #include "drawing.hpp"
 
 #include <algorithm>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
 
+#include "layers.hpp"
 #include "registry/visibility_list.hpp"
 #include "support/studio.hpp"
 
@@ -19,7 +21,7 @@ Capacity capacity_of(const Scene& scene, const Manner& manner) {
   c.band_lines =
       static_cast<std::uint16_t>(manner.band_lines == 0 ? scene.height : std::min(manner.band_lines, scene.height));
   c.colour_bands = 1;
-  c.instances = static_cast<std::uint32_t>(scene.parts.size() + 1);
+  c.instances = static_cast<std::uint32_t>(scene.parts.size() + scene.triangles.size() + 1);
   for (const Part& part : scene.parts) {
     c.vertices += static_cast<std::uint32_t>(part.mesh->vertex_count() + 9 * part.mesh->triangle_count());
     c.fans += static_cast<std::uint32_t>(7 * part.mesh->triangle_count());
@@ -31,6 +33,19 @@ Capacity capacity_of(const Scene& scene, const Manner& manner) {
   return c;
 }
 
+/// The triangles given on screen, in batches of their own materials where layers are wanted.
+template <class Traits>
+void add_triangles(test::Studio<Traits>& studio, std::span<const ScreenVertex> vertices,
+                   std::span<const std::uint16_t> colours) {
+  if constexpr (Traits::Shaders::see_through) {
+    for (std::size_t first = 0; first < colours.size(); first += batch_length)
+      studio.add_screen(vertices.subspan(3 * first, std::min(3 * batch_length, vertices.size() - 3 * first)),
+                        colours.subspan(first), material_of(first / batch_length));
+  } else if (!vertices.empty()) {
+    studio.add_screen(vertices, colours);
+  }
+}
+
 /// Any colours, of which neighbours have different ones.
 std::vector<std::uint16_t> colours_of(const Scene& scene) {
   std::vector<std::uint16_t> colours(scene.triangles.size());
@@ -39,17 +54,28 @@ std::vector<std::uint16_t> colours_of(const Scene& scene) {
 }
 
 template <class Traits>
-Drawing draw_with(const Scene& scene, const Manner& manner) {
+Drawing draw_once(const Scene& scene, const Manner& manner, std::uint32_t layers) {
   using Depth = typename Traits::Depth;
-  test::Studio<Traits> studio(capacity_of(scene, manner));
+  Capacity capacity = capacity_of(scene, manner);
+  capacity.layers = layers;
+  test::Studio<Traits> studio(capacity);
   std::vector<ScreenVertex> vertices = test::vertices_of(scene.triangles, 24, scene.width, scene.height);
   if constexpr (Depth::bits == 16)
     for (ScreenVertex& v : vertices)
       v.depth_word = std::min(v.depth_word >> 16, std::uint32_t{Depth::farthest}) << 16 | v.outcode();
   const std::vector<std::uint16_t> colours = colours_of(scene);
   studio.begin(scene.settings);
-  if (!vertices.empty()) studio.add_screen(vertices, colours);
-  for (const Part& part : scene.parts) studio.add(*part.mesh, part.transform, part.material);
+  add_triangles(studio, std::span<const ScreenVertex>(vertices), std::span<const std::uint16_t>(colours));
+  for (const Part& part : scene.parts) {
+    Material material = part.material;
+    if constexpr (Traits::Shaders::see_through) {
+      const Material layer = material_of(static_cast<std::size_t>(&part - scene.parts.data()));
+      material.opacity = layer.opacity;
+      material.transparency = layer.transparency;
+      material.shading = ShadingMode::flat;
+    }
+    studio.add(*part.mesh, part.transform, material);
+  }
   const auto picture = studio.draw();
   Drawing drawing;
   drawing.width = scene.width;
@@ -62,10 +88,25 @@ Drawing draw_with(const Scene& scene, const Manner& manner) {
   return drawing;
 }
 
+template <class Traits>
+Drawing draw_with(const Scene& scene, const Manner& manner) {
+  const Drawing first = draw_once<Traits>(scene, manner, manner.layers.value_or(1000));
+  if (manner.layers || first.status.pool != Pool::layers) return first;
+  return draw_once<Traits>(scene, manner, first.status.wanted);
+}
+
+/// Flat shading, opaque and see-through.
+template <class Depth, class Visibility>
+using LayerTraits =
+    RendererTraits<Depth, Rgb565, ShaderList<FlatShader<Rgb565>, SeeThroughShader<Rgb565, FlatShader<Rgb565>>>, false,
+                   Visibility>;
+
 template <class Visibility, DepthSense Sense>
 Drawing draw_in(const Scene& scene, const Manner& manner) {
   if (manner.content == Manner::Content::ids)
     return draw_with<IdTraits<Depth24<Sense>, true, Visibility>>(scene, manner);
+  if (manner.content == Manner::Content::layers)
+    return draw_with<LayerTraits<Depth24<Sense>, Visibility>>(scene, manner);
   return draw_with<FullTraits<Rgb565, Depth24<Sense>, false, Visibility>>(scene, manner);
 }
 

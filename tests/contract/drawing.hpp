@@ -19,11 +19,13 @@ struct Manner {
   enum class Content : std::uint8_t {
     ids,      ///< with statistics, so that every algorithm keeps depths
     colours,  ///< without: what programs ship
+    layers,   ///< colours, and most polygons are see-through (layers.hpp)
   };
   Content content = Content::ids;
   DepthSense sense = DepthSense::smaller_is_nearer;
   int band_lines = 0;                        ///< 0: the whole picture at once
   std::optional<std::uint32_t> active = {};  ///< room for active polygons; all of them if not said
+  std::optional<std::uint32_t> layers = {};  ///< room for layers; as many as it takes if not said
 };
 
 /// A finished picture, whatever its formats.

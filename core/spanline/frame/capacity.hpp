@@ -18,6 +18,8 @@ struct Capacity {
   std::uint32_t fans = 0;    ///< of these, the pieces of clipped triangles and of polygons with more than three corners
   std::uint32_t active = 0;  ///< z-buffers: polygons that reach across a band's lower edge; none with a single band.
                              ///< Spanning: polygons awake on a row
+  std::uint32_t layers = 0;  ///< renderers with see-through shaders. z-buffers: fragments of a band whose colours mix
+                             ///< with those behind. Spanning: see-through polygons awake on a row
 
   [[nodiscard]] constexpr std::uint32_t bands() const {
     return band_lines == 0 ? 0 : (height + band_lines - 1u) / band_lines;
@@ -30,10 +32,11 @@ struct Capacity {
 
 /// Bytes in use at most, pool by pool.
 struct PoolPeaks {
-  std::size_t instances = 0, vertices = 0, shades = 0, textures = 0, polygons = 0, fans = 0, active = 0, buckets = 0,
-              colour_bands = 0, depth_band = 0;
+  std::size_t instances = 0, vertices = 0, shades = 0, textures = 0, polygons = 0, fans = 0, active = 0, layers = 0,
+              buckets = 0, colour_bands = 0, depth_band = 0;
   [[nodiscard]] constexpr std::size_t total() const {
-    return instances + vertices + shades + textures + polygons + fans + active + buckets + colour_bands + depth_band;
+    return instances + vertices + shades + textures + polygons + fans + active + layers + buckets + colour_bands +
+           depth_band;
   }
 };
 

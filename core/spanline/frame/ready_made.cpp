@@ -16,5 +16,7 @@ template class Renderer<TextureTraits<Rgb565>>;
 template class Renderer<TextureTraits<Rgb565Swapped>>;
 template class Renderer<TextureTraits<Rgb565, Depth24<>>>;
 template class Renderer<TextureTraits<Rgb565, Depth24<>, false, Spanning>>;
+template class Renderer<SeeThroughTraits<Rgb565>>;
+template class Renderer<SeeThroughTraits<Rgb565, Depth24<>, false, Spanning>>;
 
 }  // namespace spanline

@@ -23,6 +23,7 @@ struct FrameSettings {
   Lighting lighting{};
   Rgb888 background{0, 0, 0};
   Cull cull = Cull::back;
+  std::uint8_t stipple_seed = 0;  ///< [0, 127]: of materials that are seen through by random patterns
 };
 
 /// A finished band of lines, as the sink gets it.
@@ -119,9 +120,9 @@ class Renderer {
     const std::uint32_t first_id = used_.ids;
     used_.ids += static_cast<std::uint32_t>(mesh.triangle_count());
     if (shader >= Shaders::count) return {Fault::shader_missing, Pool::none, 0};
-    // An algorithm that decides by whole spans cannot look through holes.
-    if (!Visibility::tests_depth && textured && material.texturing.texture->has_holes())
-      return {Fault::shader_missing, Pool::none, 0};
+    const bool holes = textured && material.texturing.texture->has_holes();
+    // An algorithm that decides by whole spans cannot look through holes, unless it has layers.
+    if (!Visibility::tests_depth && !Shaders::see_through && holes) return {Fault::shader_missing, Pool::none, 0};
 
     const InstanceGeometry geometry(view_, mesh, transform);
     if (geometry.placement() == Placement::outside) {
@@ -139,8 +140,12 @@ class Renderer {
                       shaded ? pools_.shades.subspan(used_.shades) : std::span<std::uint32_t>{},
                       textured ? pools_.textures.subspan(used_.textures) : std::span<TextureVertex>{},
                       static_cast<Link>(mesh.vertex_count()), 0};
-    group = {store.vertices.data(), mesh.indices.data(), table_.polygon_count, first_id,
-             geometry.placement() != Placement::inside};
+    group = {store.vertices.data(),
+             mesh.indices.data(),
+             table_.polygon_count,
+             first_id,
+             geometry.placement() != Placement::inside,
+             Shaders::see_through && (holes || is_see_through(material))};
     shading = {};
     shading.mesh = &mesh;
     shading.vertex_shades = store.shades.data();
@@ -151,29 +156,33 @@ class Renderer {
     shading.first_id = first_id;
     shading.colour = LitColour::from(material.colour);
     shading.shader = shader;
+    if constexpr (Shaders::see_through) shading.layering = layering_of(material, number, settings_.stipple_seed);
     set_lights(settings_.lighting, transform, shading);
     if (shaded) prepare_shades(mesh, material, number, shading, store.shades.data());
     return assemble(mesh, material, geometry, group, store);
   }
 
   /// Adds triangles that are on screen already: corners three by three (outcodes set where they leave the viewport),
-  /// and a colour each in RGB565. Both tables must stay until `draw` has returned. For flat shading. 32,767 triangles a
-  /// call on 32-bit machines.
-  Status add_screen(std::span<const ScreenVertex> vertices, std::span<const std::uint16_t> colours) {
+  /// and a colour each in RGB565. Both tables must stay until `draw` has returned. For flat shading; of the material,
+  /// opacity and transparency count. 32,767 triangles a call on 32-bit machines.
+  Status add_screen(std::span<const ScreenVertex> vertices, std::span<const std::uint16_t> colours,
+                    const Material& material = {}) {
     if (!ready_) return status_.ok() ? Status{Fault::bad_settings, Pool::none, 0} : status_;
     if (vertices.size() / 3 >= fan_flag) return {Fault::too_many_triangles, Pool::none, 0};
-    const std::uint8_t shader = shader_for<Traits>(Material{}, false, false);
+    const std::uint8_t shader = shader_for<Traits>(material, false, false);
     const std::uint32_t first_id = used_.ids;
     used_.ids += static_cast<std::uint32_t>(vertices.size() / 3);
     if (shader >= Shaders::count) return {Fault::shader_missing, Pool::none, 0};
     if (const Status room = reserve_group(); !room.ok()) return room;
     const Link number = table_.group_count++;
-    table_.groups[number] = {vertices.data(), nullptr, table_.polygon_count, first_id, true};
+    table_.groups[number] = {vertices.data(), nullptr, table_.polygon_count,
+                             first_id,        true,    Shaders::see_through && is_see_through(material)};
     ShadingGroup& shading = pools_.shading[number];
     shading = {};
     shading.screen_colours = colours.data();
     shading.first_id = first_id;
     shading.shader = shader;
+    if constexpr (Shaders::see_through) shading.layering = layering_of(material, number, settings_.stipple_seed);
     PolygonAssembly assembly(table_, bucket_of_row_, viewport(), settings_.cull);
     assembly.run_screen(vertices);
     return finish(assembly, 0, false, false);
@@ -216,8 +225,12 @@ class Renderer {
   Status end_bands() {
     note_peaks();
     first_buffer_ = buffer_of(capacity_.bands());
-    if (!visibility_.overflowed()) return {};
-    return {Fault::pool_full, Pool::active, Visibility::wanted(table_, viewport(), capacity_.band_lines)};
+    if (visibility_.overflowed())
+      return {Fault::pool_full, Pool::active, Visibility::wanted(table_, viewport(), capacity_.band_lines)};
+    if constexpr (Shaders::see_through) {
+      if (visibility_.layers_overflowed()) return {Fault::pool_full, Pool::layers, visibility_.layers_wanted()};
+    }
+    return {};
   }
 
   /// The memory of a colour band, counted from 0, for present loops that hand it to a display; empty where the band
@@ -414,6 +427,9 @@ class Renderer {
     peaks_.polygons = table_.polygon_count * sizeof(PolygonReference);
     peaks_.fans = table_.fan_count * sizeof(FanTriangle);
     peaks_.active = Visibility::Memory::bytes(visibility_.peak());
+    if constexpr (Shaders::see_through)
+      peaks_.layers =
+          Visibility::Memory::layer_bytes(std::min<std::size_t>(visibility_.layers_wanted(), capacity_.layers));
     peaks_.buckets = pools_.buckets.size_bytes();
     peaks_.colour_bands = pools_.colour.size_bytes();
     peaks_.depth_band = Visibility::tests_depth ? pools_.depth.size_bytes() : 0;

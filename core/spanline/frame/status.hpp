@@ -4,7 +4,7 @@
 namespace spanline {
 
 /// The renderer's pools: parts of the caller's memory.
-enum class Pool : std::uint8_t { none, memory, instances, vertices, shades, textures, polygons, fans, active };
+enum class Pool : std::uint8_t { none, memory, instances, vertices, shades, textures, polygons, fans, active, layers };
 
 enum class Fault : std::uint8_t {
   none,
@@ -27,7 +27,7 @@ struct [[nodiscard]] Status {
 
 [[nodiscard]] constexpr const char* to_string(Pool pool) {
   constexpr const char* names[] = {"none",     "memory",   "instances", "vertices", "shades",
-                                   "textures", "polygons", "fans",      "active"};
+                                   "textures", "polygons", "fans",      "active",   "layers"};
   return names[static_cast<unsigned>(pool)];
 }
 [[nodiscard]] constexpr const char* to_string(Fault fault) {

@@ -5,6 +5,7 @@
 #include "spanline/shade/gouraud.hpp"
 #include "spanline/shade/pixel_format.hpp"
 #include "spanline/shade/polygon_id.hpp"
+#include "spanline/shade/see_through.hpp"
 #include "spanline/shade/shader_list.hpp"
 #include "spanline/shade/textured.hpp"
 #include "spanline/visibility/depth_buffer.hpp"
@@ -35,6 +36,15 @@ using FullTraits =
     RendererTraits<Depth, Format, ShaderList<FlatShader<Format>, GouraudShader<Format>, GouraudColourShader<Format>>,
                    Statistics, Visibility>;
 
+/// Flat and Gouraud shading, opaque and see-through.
+template <class Format = Rgb565, class Depth = Depth16<>, bool Statistics = false, class Visibility = ZBuffer>
+using SeeThroughTraits = RendererTraits<
+    Depth, Format,
+    ShaderList<FlatShader<Format>, GouraudShader<Format>, GouraudColourShader<Format>,
+               SeeThroughShader<Format, FlatShader<Format>>, SeeThroughShader<Format, GouraudShader<Format>>,
+               SeeThroughShader<Format, GouraudColourShader<Format>>>,
+    Statistics, Visibility>;
+
 /// Draws polygon numbers instead of colours.
 template <class Depth = Depth16<>, bool Statistics = false, class Visibility = ZBuffer>
 using IdTraits = RendererTraits<Depth, PolygonIds, ShaderList<IdShader>, Statistics, Visibility>;
@@ -55,6 +65,21 @@ concept DrawsTextures = requires(const Material& material) {
   Shader::serves(material, true);
 };
 
+/// Whether a shader serves a material on a mesh, but for its opacity.
+template <class Shader, class Format>
+[[nodiscard]] constexpr bool serves(const Material& material, bool vertex_colours, bool textured) {
+  if constexpr (DrawsTextures<Shader>)
+    return textured && Shader::serves(material, vertex_colours);
+  else if (textured)
+    return false;
+  else if (material.shading == ShadingMode::flat)
+    return std::is_same_v<Shader, FlatShader<Format>>;
+  else if (vertex_colours)
+    return std::is_same_v<Shader, GouraudColourShader<Format>>;
+  else
+    return std::is_same_v<Shader, GouraudShader<Format>>;
+}
+
 /// The place in the list of the shader that serves a material on a mesh; the list's `count` if there is none.
 template <class Traits>
 [[nodiscard]] constexpr std::uint8_t shader_for(const Material& material, bool vertex_colours, bool textured) {
@@ -63,6 +88,13 @@ template <class Traits>
   if constexpr (Shaders::template index_of<IdShader> < Shaders::count) {
     return Shaders::template index_of<IdShader>;
   } else {
+    if (is_see_through(material))
+      return Shaders::first([&]<class Shader>() {
+        if constexpr (SeeThrough<Shader>)
+          return serves<typename Shader::Inner, Format>(material, vertex_colours, textured);
+        else
+          return false;
+      });
     if (textured)
       return Shaders::first([&]<class Shader>() {
         if constexpr (DrawsTextures<Shader>)

@@ -46,12 +46,22 @@ struct Texturing {
   Rgb888 blend_colour{};  ///< of TextureFunction::blend
 };
 
+/// How a surface that is not opaque shows what lies behind it.
+enum class Transparency : std::uint8_t {
+  blend,        ///< layers in their order of depth, each over what lies behind it: C' = αC + (1 − α)B
+  add,          ///< α of the colour added to what lies behind, as light: glows. Never opaque
+  screen_door,  ///< opaque at a share α of the pixels, by an 8 × 8 pattern (shade/stipple.hpp); depth-tested, no order
+  stochastic,   ///< the same by random patterns, for pictures that average several samples a pixel
+};
+
 /// What a surface looks like. Colours of the mesh, where it has them, replace `colour`.
 struct Material {
   Rgb888 colour{};
   ShadingMode shading = ShadingMode::flat;
   Texturing texturing{};  ///< of meshes with texture coordinates; others are drawn without
   TextureMatrix texture_matrix{};
+  std::uint8_t opacity = 255;  ///< α in 255ths; blending rounds it to 32nds and patterns to 64ths
+  Transparency transparency = Transparency::blend;
 };
 
 }  // namespace spanline

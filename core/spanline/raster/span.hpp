@@ -59,6 +59,15 @@ concept SurfaceInBlocks = requires(const S& surface, std::int32_t column) {
   { surface.blocks(column) } -> RunBlocks;
 };
 
+/// A shader of polygons that what lies behind may show through. Its surfaces come in blocks. `blends()` of a surface
+/// tells whether its colours mix with those behind; otherwise it is opaque where it is present, and a depth test is all
+/// that it takes. `layer()` of a source is the current pixel as a `Layer` of a few bytes, the same type for all shaders
+/// of a list, whose `over(pixel)` lays it over a pixel.
+template <class Shader>
+concept SeeThrough = requires {
+  requires Shader::see_through;
+};
+
 /// Numbers of polygons and vertices inside a frame: 16 bits on microcontrollers (65,534 polygons), 32 bits where
 /// pointers have 64.
 using Link = std::conditional_t<(sizeof(void*) > 4), std::uint32_t, std::uint16_t>;

@@ -101,7 +101,9 @@ template <RunBlocks Blocks, class Pixel>
 template <class Surface, class Pixel>
 [[gnu::always_inline]] inline void fill_run(const Surface& surface, std::int32_t column, std::uint32_t count,
                                             Pixel* pixels) {
-  if constexpr (SurfaceInBlocks<Surface>) {
+  if constexpr (requires { surface.lay(column, count, pixels); }) {
+    surface.lay(column, count, pixels);
+  } else if constexpr (SurfaceInBlocks<Surface>) {
     fill_detail::fill_blocks(pixels, count, surface.blocks(column));
   } else {
     const auto source = surface.source(column);

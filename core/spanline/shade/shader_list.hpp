@@ -9,12 +9,29 @@
 
 namespace spanline {
 
+namespace shader_list {
+/// The layers of the first see-through shader; a list without any has none.
+template <class... Shaders>
+struct LayerOf {
+  struct type {};
+};
+template <class First, class... Rest>
+struct LayerOf<First, Rest...> : LayerOf<Rest...> {};
+template <SeeThrough First, class... Rest>
+struct LayerOf<First, Rest...> {
+  using type = typename First::Layer;
+};
+}  // namespace shader_list
+
 /// The shaders that a renderer links. A polygon's surface is stored in the room of the largest; with one shader the
 /// choice costs nothing.
 template <class... Shaders>
 struct ShaderList {
   static constexpr std::size_t count = sizeof...(Shaders);
   static_assert(count > 0);
+  /// Whether any of them shows what lies behind its polygons.
+  static constexpr bool see_through = (SeeThrough<Shaders> || ...);
+  using Layer = typename shader_list::LayerOf<Shaders...>::type;
 
   struct Surface {
     alignas(std::max(

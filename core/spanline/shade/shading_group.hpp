@@ -26,6 +26,13 @@ struct TexturedGroup {
   Texturing texturing;
 };
 
+/// How a see-through group shows what lies behind it; nothing to opaque ones.
+struct Layering {
+  std::uint16_t transparency : 2 = 0;  ///< Transparency
+  std::uint16_t level : 7 = 0;         ///< coverage in 32nds where colours mix, in 64ths where pixels are left out
+  std::uint16_t variant : 7 = 0;       ///< screen-door: number of the group; stochastic: seed
+};
+
 /// What shaders need to know of a group of polygons.
 struct ShadingGroup {
   const Mesh* mesh = nullptr;  ///< null for triangles given on screen
@@ -40,6 +47,7 @@ struct ShadingGroup {
   std::uint16_t ambient = 65535;                 ///< 1/65536
   std::uint8_t light_count = 0;
   std::uint8_t shader = 0;  ///< place in the renderer's list of shaders
+  Layering layering{};
   ModelLight lights[Lighting::max_lights] = {};
 
   /// min(1, ambient + Σ max(0, n·l)), 1/65536.

@@ -21,7 +21,8 @@ namespace spanline {
 /// `clear(target, fill)` makes a band ready for drawing, by `fill(value, count, words)`.
 /// `keeps_depth`: bands have a depth buffer; `tests_depth`: the algorithm needs it, and it is not there for show alone.
 /// `Memory` is the algorithm's own part of the caller's bytes. `wanted` says how large its pool would have had to be
-/// after `overflowed`.
+/// after `overflowed`. `layers_overflowed` and `layers_wanted` say the same of the pool for see-through polygons, which
+/// there is where the list has shaders for them: groups that are `see_through` then.
 template <class A, class Arena, class Capacity>
 concept VisibilityAlgorithm = requires(A algorithm, const A& view, typename A::Memory memory, Arena arena,
                                        const Capacity capacity, const typename A::Target& target,
@@ -38,6 +39,8 @@ concept VisibilityAlgorithm = requires(A algorithm, const A& view, typename A::M
   { view.overflowed() } -> std::same_as<bool>;
   { view.peak() } -> std::convertible_to<std::uint32_t>;
   { A::wanted(table, viewport, std::int32_t{1}) } -> std::same_as<std::uint32_t>;
+  { view.layers_wanted() } -> std::same_as<std::uint32_t>;
+  { view.layers_overflowed() } -> std::same_as<bool>;
 };
 
 }  // namespace spanline

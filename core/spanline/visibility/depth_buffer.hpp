@@ -8,6 +8,8 @@
 #include "spanline/raster/active_triangle.hpp"
 #include "spanline/raster/polygon_table.hpp"
 #include "spanline/visibility/active_need.hpp"
+#include "spanline/visibility/fragment_lists.hpp"
+#include "spanline/visibility/see_through_rows.hpp"
 #include "spanline/visibility/triangle_rows.hpp"
 
 namespace spanline {
@@ -35,6 +37,9 @@ class DepthBuffer {
   using Target = BandTarget<Depth, Pixel>;
   using Rows = TriangleRows<Depth, Pixel, Counting, Bounded>;
 
+  using Fragments =
+      std::conditional_t<Shaders::see_through, FragmentLists<Depth, Pixel, typename Shaders::Layer>, NoFragmentLists>;
+  using Layers = SeeThroughRows<Depth, Pixel, Fragments, Counting>;
   using Bounds = std::conditional_t<Bounded, DepthBounds<Depth>, NoDepthBounds>;
 
   static constexpr bool keeps_depth = true, tests_depth = true;
@@ -44,20 +49,24 @@ class DepthBuffer {
   struct Memory {
     std::span<Entry> active;
     [[no_unique_address]] Bounds bounds;
+    [[no_unique_address]] Fragments fragments;
 
     template <class Arena, class Capacity>
     constexpr void take(Arena& arena, const Capacity& capacity) {
       active = arena.template take<Entry>(capacity.active);
       bounds.take(arena, capacity.width, capacity.band_lines);
+      fragments.take(arena, std::size_t{capacity.width} * capacity.band_lines, capacity.layers);
     }
     /// Bytes of `count` active polygons.
     [[nodiscard]] static constexpr std::size_t bytes(std::size_t count) { return count * sizeof(Entry); }
+    /// Bytes of `count` fragments.
+    [[nodiscard]] static constexpr std::size_t layer_bytes(std::size_t count) { return Fragments::bytes(count); }
   };
 
   /// Whether links can number that many active polygons.
   template <class Capacity>
   [[nodiscard]] static constexpr bool takes(const Capacity& capacity) {
-    return capacity.active < no_link;
+    return capacity.active < no_link && capacity.layers < no_link;
   }
   /// The polygon table's buckets hold a band each.
   template <class Capacity>
@@ -66,7 +75,8 @@ class DepthBuffer {
   }
 
   DepthBuffer() = default;
-  explicit DepthBuffer(const Memory& memory) : pool_(memory.active), bounds_(memory.bounds) {}
+  explicit DepthBuffer(const Memory& memory)
+      : pool_(memory.active), bounds_(memory.bounds), fragments_(memory.fragments) {}
 
   /// Before the first band of a frame.
   void begin_frame() {
@@ -74,6 +84,7 @@ class DepthBuffer {
     used_ = peak_ = 0;
     active_ = no_link;
     overflowed_ = false;
+    fragments_.begin_frame();
   }
 
   /// Fills a band's pixels with the background and its depths with what every polygon beats, by `fill(value, count,
@@ -116,6 +127,8 @@ class DepthBuffer {
         break;
       }
     }
+    fragments_.finish_band(target.depth, target.pixels,
+                           static_cast<std::size_t>(target.width * (target.end_row - target.first_row)));
   }
 
   /// Whether polygons had to be cut off at a band's edge because the pool was full.
@@ -126,6 +139,9 @@ class DepthBuffer {
   [[nodiscard]] static std::uint32_t wanted(const PolygonTable& table, Viewport viewport, std::int32_t band_lines) {
     return active_polygons_needed(table, viewport, band_lines);
   }
+  /// Fragments of the fullest band, whether there was room for them or not.
+  [[nodiscard]] std::uint32_t layers_wanted() const { return fragments_.wanted(); }
+  [[nodiscard]] bool layers_overflowed() const { return fragments_.overflowed(); }
 
  private:
   /// A copy that knows the bounds, where there are any.
@@ -182,9 +198,23 @@ class DepthBuffer {
       if constexpr (Counting) {
         if (covers_pixels(job.triangle, corners, job.viewport)) covered(job.shading->first_id + corners.triangle);
       }
-      if (Rows::draw(job.triangle, surface, job.target, [&] { return job.table.corners(*job.group, polygon); }))
+      if (draw_rows<Shader>(job.triangle, surface, job.target, [&] { return job.table.corners(*job.group, polygon); }))
         keep(job.triangle, surface, polygon, link);
     });
+  }
+
+  /// The rows of a polygon that lie in the band. True if it goes on below.
+  template <class Shader, class CornersOf>
+  [[gnu::always_inline]] bool draw_rows(ActiveTriangle& triangle, typename Shader::Surface& surface,
+                                        const Target& target, CornersOf corners_of) {
+    if constexpr (SeeThrough<Shader>) {
+      if constexpr (Bounded)
+        target.bounds->touch(triangle.row - target.first_row,
+                             std::min(triangle.end_row(), target.end_row) - triangle.row);
+      return Layers::draw(triangle, surface, target, fragments_, corners_of);
+    } else {
+      return Rows::draw(triangle, surface, target, corners_of);
+    }
   }
 
   /// Edges and plane of a polygon, and its surface where that interpolates. Functions of their own: set-up wants every
@@ -214,8 +244,8 @@ class DepthBuffer {
   void go_on(Job<ShadingGroup>& job, Link*& link) {
     Entry& entry = pool_[*link];
     const bool goes_on = Shaders::with(job.shading->shader, [&]<class Shader>() {
-      return Rows::draw(entry.triangle, entry.surface.template as<typename Shader::Surface>(), job.target,
-                        [&] { return job.table.corners(*job.group, entry.polygon); });
+      return draw_rows<Shader>(entry.triangle, entry.surface.template as<typename Shader::Surface>(), job.target,
+                               [&] { return job.table.corners(*job.group, entry.polygon); });
     });
     if (goes_on) {
       link = &entry.next;
@@ -295,6 +325,7 @@ class DepthBuffer {
 
   std::span<Entry> pool_;
   [[no_unique_address]] Bounds bounds_;
+  [[no_unique_address]] Fragments fragments_;
   Link free_ = no_link;
   Link used_ = 0;
   Link peak_ = 0;

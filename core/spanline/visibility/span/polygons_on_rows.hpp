@@ -7,15 +7,17 @@
 
 namespace spanline {
 
-/// The number of polygons on the row that has most: what a pool of awake polygons needs if none of them sleeps. Linear
-/// in polygons × rows, and asked only after a pool has run full.
-[[nodiscard]] inline std::uint32_t polygons_on_rows(const PolygonTable& table, Viewport viewport) {
+/// The number of opaque, or of see-through, polygons on the row that has most: what a pool of awake polygons needs if
+/// none of them sleeps. Linear in polygons × rows, and asked only after a pool has run full.
+[[nodiscard]] inline std::uint32_t polygons_on_rows(const PolygonTable& table, Viewport viewport,
+                                                    bool see_through = false) {
   std::uint32_t most = 0;
   for (std::int32_t row = 0; row < viewport.height; ++row) {
     std::uint32_t here = 0;
     Link group = 0;
     for (Link polygon = 0; polygon < table.polygon_count; ++polygon) {
       group = table.group_of(polygon, group);
+      if (table.groups[group].see_through != see_through) continue;
       const PolygonCorners p = table.corners(table.groups[group], polygon);
       const auto [low, high] = std::minmax({p.corner[0]->y, p.corner[1]->y, p.corner[2]->y});
       if (row_at(low) - row_bias <= row && row < row_at(high) - row_bias) ++here;

@@ -9,6 +9,7 @@
 #include "spanline/raster/polygon_table.hpp"
 #include "spanline/visibility/band_target.hpp"
 #include "spanline/visibility/span/active_edge_table.hpp"
+#include "spanline/visibility/span/layer_sweep.hpp"
 #include "spanline/visibility/span/polygons_on_rows.hpp"
 #include "spanline/visibility/span/row_sweep.hpp"
 #include "spanline/visibility/span/sleep.hpp"
@@ -23,6 +24,10 @@ namespace spanline {
 /// Polygons wake in the bucket of their first row, and sleep while a nearer one is certain to hide them. Where more are
 /// awake than there are records, the farthest are left out of the row, of equally far ones the latest, and come back as
 /// soon as there is room.
+///
+/// Where the list of shaders has see-through ones, their polygons wake in a table of their own and are laid over the
+/// visible spans (LayerSweep); other lists are none the worse for it. Their records are a pool of their own, `layers`,
+/// by the same rule: where it is full, the farthest layers are left out of the row.
 template <class Depth, class Pixel, class Shaders, bool Counting>
 class SpanningScanLine {
  public:
@@ -35,27 +40,41 @@ class SpanningScanLine {
   struct Entry : AwakePolygon {
     Surface surface;
   };
+  static constexpr bool has_layers = Shaders::see_through;
+
+  struct LayerMemory {
+    std::span<Entry> records;
+    std::span<AwakeKey> keys;
+  };
+  struct NoLayerMemory {};
 
   /// The memory of the algorithm, cut off an arena.
   struct Memory {
     std::span<Entry> active;
     std::span<AwakeKey> keys;
+    [[no_unique_address]] std::conditional_t<has_layers, LayerMemory, NoLayerMemory> layers;
 
     template <class Arena, class Capacity>
     constexpr void take(Arena& arena, const Capacity& capacity) {
       active = arena.template take<Entry>(capacity.active);
       keys = arena.template take<AwakeKey>(2 * (std::size_t{capacity.active} + 2));
+      if constexpr (has_layers) {
+        layers.records = arena.template take<Entry>(capacity.layers);
+        layers.keys = arena.template take<AwakeKey>(2 * (std::size_t{capacity.layers} + 2));
+      }
     }
     /// Bytes of `count` awake polygons.
     [[nodiscard]] static constexpr std::size_t bytes(std::size_t count) {
       return count * sizeof(Entry) + 2 * (count + 2) * sizeof(AwakeKey);
     }
+    [[nodiscard]] static constexpr std::size_t layer_bytes(std::size_t count) { return has_layers ? bytes(count) : 0; }
   };
 
   /// Whether keys can address that many awake polygons.
   template <class Capacity>
   [[nodiscard]] static constexpr bool takes(const Capacity& capacity) {
-    return std::size_t{capacity.active} * sizeof(Entry) <= awake_key::largest_offset;
+    const std::size_t most = capacity.active > capacity.layers ? capacity.active : capacity.layers;
+    return most * sizeof(Entry) <= awake_key::largest_offset;
   }
   /// The polygon table's buckets hold one row each.
   template <class Capacity>
@@ -71,6 +90,11 @@ class SpanningScanLine {
     table_.begin_frame(memory_.keys, reinterpret_cast<std::byte*>(memory_.active.data()), memory_.active.size(),
                        sizeof(Entry));
     overflowed_ = false;
+    if constexpr (has_layers) {
+      layers_.overflowed = false;
+      layers_.table.begin_frame(memory_.layers.keys, reinterpret_cast<std::byte*>(memory_.layers.records.data()),
+                                memory_.layers.records.size(), sizeof(Entry));
+    }
   }
 
   /// Nothing: the background is drawn where it shows.
@@ -83,7 +107,13 @@ class SpanningScanLine {
   [[gnu::noinline]] void draw_band(PolygonTable& table, std::span<const ShadingGroup> shading, std::int32_t,
                                    Viewport viewport, const Target& target, Covered&& covered) {
     Rows<ShadingGroup, Covered> rows{{table, viewport}, *this, shading.data(), target, covered};
-    rows.draw();
+    if constexpr (has_layers)
+      rows.draw_with_layers();
+    else
+      rows.draw();
+    if constexpr (has_layers) {
+      if (layers_.overflowed) layers_.wanted = polygons_on_rows(table, viewport, true);
+    }
   }
 
   [[nodiscard]] bool overflowed() const { return overflowed_; }
@@ -93,6 +123,12 @@ class SpanningScanLine {
   [[nodiscard]] static std::uint32_t wanted(const PolygonTable& table, Viewport viewport, std::int32_t) {
     return polygons_on_rows(table, viewport);
   }
+  /// See-through polygons awake at most; where there was no room for all, how many there would have been.
+  [[nodiscard]] std::uint32_t layers_wanted() const {
+    if constexpr (has_layers) return layers_.overflowed ? layers_.wanted : layers_.table.peak();
+    return 0;
+  }
+  [[nodiscard]] bool layers_overflowed() const { return layers_.overflowed; }
 
  private:
   /// Bounds keep clear of the plane's rounding: at most half a guard unit a pixel of the way from the anchor, which the
@@ -100,6 +136,16 @@ class SpanningScanLine {
   static constexpr std::uint32_t depth_unit = 1u << Depth::guard_bits;
   static constexpr BoundMargin margin{depth_unit + 2048, 2 * depth_unit + 2048};
   static_assert(margin.below % 256 == 0, "ActiveEdgeTable::evict takes the low bits of a bound for an outcode");
+
+  struct LayerTable {
+    ActiveEdgeTable table;
+    std::uint32_t wanted = 0;
+    bool overflowed = false;
+  };
+  struct NoLayerTable {
+    static constexpr std::uint32_t wanted = 0;
+    static constexpr bool overflowed = false;
+  };
 
   template <class ShadingGroup, class Covered>
   struct Rows : PolygonSource {
@@ -112,6 +158,7 @@ class SpanningScanLine {
     Covered& covered;
     Pixel* line = nullptr;
     std::int32_t row = 0;
+    [[no_unique_address]] std::conditional_t<has_layers, LayerSweep<Rows>*, NoLayerTable> layer_sweep{};
 
     void draw() {
       ActiveEdgeTable& edges = algorithm.table_;
@@ -126,15 +173,46 @@ class SpanningScanLine {
       }
     }
 
+    /// The same for lists with see-through shaders.
+    void draw_with_layers() {
+      ActiveEdgeTable &edges = algorithm.table_, &layers = algorithm.layers_.table;
+      RowSweep<Rows> sweep(*this, target.width);
+      LayerSweep<Rows> over_spans(*this);
+      layer_sweep = &over_spans;
+      line = target.pixels;
+      const std::int32_t end = target.end_row - row_bias;
+      for (row = target.first_row - row_bias; row < end; ++row, line += target.width) {
+        const WokenWithLayers woken = wake_bucket(edges, layers, *this, row, margin);
+        if (!woken.all_opaque) algorithm.overflowed_ = true;
+        if (!woken.all_layers) algorithm.layers_.overflowed = true;
+        const std::uint32_t repairs = edges.step(*this, row) + layers.step(*this, row);
+        if constexpr (Counting) target.counters->order_repairs += repairs;
+        over_spans.begin_row(layers, row);
+        sweep.run(edges, row);
+      }
+    }
+
     // What RowSweep asks of its owner.
 
     void background(std::int32_t begin, std::int32_t end) {
       if constexpr (Counting) count_background(begin, end);
       Shaders::fill_apart(target.background, word(end - begin), line + begin);
+      lay_over(nullptr, begin, end);
     }
 
     [[gnu::always_inline]] void span(AwakePolygon& polygon, std::int32_t begin, std::int32_t end) {
       if constexpr (Counting) count(polygon, begin, end);
+      fill(polygon, begin, end);
+      lay_over(&polygon, begin, end);
+    }
+
+    void lay_over(AwakePolygon* polygon, std::int32_t begin, std::int32_t end) {
+      if constexpr (has_layers) {
+        if (layer_sweep->reaches(end)) layer_sweep->over(polygon, begin, end);
+      }
+    }
+
+    [[gnu::always_inline]] void fill(AwakePolygon& polygon, std::int32_t begin, std::int32_t end) {
       Entry& entry = static_cast<Entry&>(polygon);
       const ShadingGroup& group = shading[entry.group];
       Shaders::with(group.shader, [&]<class Shader>() {
@@ -160,6 +238,13 @@ class SpanningScanLine {
       }
     }
 
+    // What LayerSweep asks of its owner.
+
+    [[gnu::noinline]] void layer(AwakePolygon& polygon, std::int32_t begin, std::int32_t end) {
+      fill(polygon, begin, end);
+      if constexpr (Counting) count_layer(polygon, begin, end);
+    }
+
     void begins([[maybe_unused]] const AwakePolygon& polygon) {
       if constexpr (Counting) {
         ++target.counters->decisions;
@@ -178,21 +263,49 @@ class SpanningScanLine {
       target.counters->shaded += word(end - begin);
       std::fill(depth_line() + begin, depth_line() + end, Depth::clear);
     }
+    /// Depths are those of opaque pixels, as a z-buffer keeps them.
+    void count_layer(AwakePolygon& polygon, std::int32_t begin, std::int32_t end) {
+      ++target.counters->spans;
+      Entry& entry = static_cast<Entry&>(polygon);
+      if (!polygon.has_plane) make_plane<Depth>(polygon, *this);
+      Shaders::with(shading[entry.group].shader, [&]<class Shader>() {
+        if constexpr (SurfaceInBlocks<typename Shader::Surface>) {
+          const auto& surface = entry.surface.template as<typename Shader::Surface>();
+          bool keeps_depth_of_others = false;
+          if constexpr (SeeThrough<Shader>) keeps_depth_of_others = surface.blends();
+          auto walk = surface.blocks(begin);
+          for (std::int32_t column = begin; column < end; walk.next()) {
+            const std::int32_t piece_end =
+                std::min(end, column + signed_word(std::min(walk.rest(), word(end - column))));
+            auto source = walk.source();
+            for (; column < piece_end; ++column, source.forward()) {
+              if constexpr (SourceWithHoles<decltype(source)>) {
+                if (!source.present()) continue;
+              }
+              ++target.counters->pixels;
+              if (!keeps_depth_of_others) put_depth(polygon, column);
+            }
+          }
+        }
+      });
+    }
+    void put_depth(const AwakePolygon& polygon, std::int32_t column) {
+      const std::uint32_t plane_word = polygon.depth_at(column, row);
+      depth_line()[column] =
+          static_cast<typename Depth::Word>(Depth::stored(Depth::smaller ? plane_word : ~plane_word));
+    }
     void count(AwakePolygon& polygon, std::int32_t begin, std::int32_t end) {
       ++target.counters->spans;
       target.counters->pixels += word(end - begin);
       target.counters->shaded += word(end - begin);
       if (!polygon.has_plane) make_plane<Depth>(polygon, *this);
-      for (std::int32_t column = begin; column < end; ++column) {
-        const std::uint32_t plane_word = polygon.depth_at(column, row);
-        depth_line()[column] =
-            static_cast<typename Depth::Word>(Depth::stored(Depth::smaller ? plane_word : ~plane_word));
-      }
+      for (std::int32_t column = begin; column < end; ++column) put_depth(polygon, column);
     }
   };
 
   Memory memory_{};
   ActiveEdgeTable table_;
+  [[no_unique_address]] std::conditional_t<has_layers, LayerTable, NoLayerTable> layers_;
   bool overflowed_ = false;
 };
 

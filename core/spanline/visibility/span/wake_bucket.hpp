@@ -11,4 +11,13 @@ namespace spanline {
 [[nodiscard]] bool wake_bucket(ActiveEdgeTable& edges, const PolygonSource& source, std::int32_t row,
                                BoundMargin margin);
 
+/// Whether there was room for all that woke.
+struct WokenWithLayers {
+  bool all_opaque, all_layers;
+};
+
+/// The same, where polygons of see-through groups enter a table of their own.
+[[nodiscard]] WokenWithLayers wake_bucket(ActiveEdgeTable& edges, ActiveEdgeTable& layers, const PolygonSource& source,
+                                          std::int32_t row, BoundMargin margin);
+
 }  // namespace spanline

@@ -76,8 +76,9 @@ class Studio {
   void add(const Mesh& mesh, const Transform& transform, const Material& material) {
     note(renderer_.add(mesh, transform, material));
   }
-  void add_screen(std::span<const ScreenVertex> vertices, std::span<const std::uint16_t> colours) {
-    note(renderer_.add_screen(vertices, colours));
+  void add_screen(std::span<const ScreenVertex> vertices, std::span<const std::uint16_t> colours,
+                  const Material& material = {}) {
+    note(renderer_.add_screen(vertices, colours, material));
   }
   [[nodiscard]] PictureType draw() {
     const Capacity& c = renderer_.capacity();

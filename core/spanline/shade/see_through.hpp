@@ -1,0 +1,250 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <new>
+#include <utility>
+
+#include "spanline/math/bits.hpp"
+#include "spanline/model/material.hpp"
+#include "spanline/raster/span.hpp"
+#include "spanline/shade/fill_run.hpp"
+#include "spanline/shade/premultiplied.hpp"
+#include "spanline/shade/shading_group.hpp"
+#include "spanline/shade/stipple.hpp"
+
+namespace spanline {
+
+/// Whether anything may be seen behind a material, once its opacity is rounded.
+[[nodiscard]] constexpr bool is_see_through(const Material& material) {
+  if (material.transparency == Transparency::add) return true;
+  if (material.opacity == 255) return false;
+  if (material.transparency == Transparency::blend) return alpha_32(material.opacity) < opaque_alpha;
+  return stipple::level_of(material.opacity) < stipple::levels;
+}
+
+/// The layering of group `number` with a see-through material; `seed` in [0, 127] is for stochastic ones.
+[[nodiscard]] constexpr Layering layering_of(const Material& material, std::uint32_t number, std::uint32_t seed) {
+  const bool mixes = material.transparency == Transparency::blend || material.transparency == Transparency::add;
+  const std::uint32_t level = mixes ? alpha_32(material.opacity) : stipple::level_of(material.opacity);
+  const std::uint32_t variant = material.transparency == Transparency::stochastic ? seed : number;
+  Layering layering;
+  layering.transparency = static_cast<std::uint16_t>(static_cast<unsigned>(material.transparency) & 3u);
+  layering.level = static_cast<std::uint16_t>(level & 127u);
+  layering.variant = static_cast<std::uint16_t>(variant & 127u);
+  return layering;
+}
+
+/// A pixel of a layer whose colours mix: a straight colour with its coverage.
+template <class Format>
+struct PixelLayer {
+  typename Format::Pixel pixel;
+  std::uint8_t alpha;  ///< 32nds
+  bool adds;           ///< Transparency::add
+
+  /// Puts the layer over a pixel.
+  void over(typename Format::Pixel& below) const {
+    const std::uint32_t above = Format::from_rgb565(pixel), under = Format::from_rgb565(below);  // its own inverse
+    below = Format::from_rgb565(static_cast<std::uint16_t>(adds ? added_565(under, dimmed(above))
+                                                                : Premultiplied565::from(above, alpha).over(under)));
+  }
+  /// α of a colour, rounded to RGB565.
+  [[nodiscard]] std::uint32_t dimmed(std::uint32_t rgb565) const {
+    return Premultiplied565::from(rgb565, alpha).over(0);
+  }
+};
+
+/// Any shader, seen through: by mixing colours or by leaving pixels out, as the group's material says.
+template <class Format, class InnerShader>
+struct SeeThroughShader {
+  using Inner = InnerShader;
+  using Pixel = typename Format::Pixel;
+  using Layer = PixelLayer<Format>;
+  static constexpr bool see_through = true;
+  static constexpr bool interpolates = true;
+
+  struct Surface;
+
+  /// A source of the inner surface with the pattern's bits: the lowest is the current pixel's.
+  template <class InnerSource>
+  struct Source : InnerSource {
+    static constexpr bool constant = false;
+    static constexpr bool has_holes = true;
+    std::uint32_t mask;
+    Layering layering;
+
+    [[nodiscard]] bool present() const {
+      if constexpr (SourceWithHoles<InnerSource>) return (mask & 1) != 0 && InnerSource::present();
+      return (mask & 1) != 0;
+    }
+    [[nodiscard]] Layer layer() const {
+      return {InnerSource::get(), static_cast<std::uint8_t>(layering.level), is(layering, Transparency::add)};
+    }
+    void forward() {
+      InnerSource::forward();
+      mask = mask >> 1 | mask << 31;
+    }
+    void back() {
+      InnerSource::back();
+      mask = mask << 1 | mask >> 31;
+    }
+  };
+
+  /// Pieces that end where the inner surface's do, and at multiples of 32 columns of the screen where there is a
+  /// pattern.
+  class Blocks {
+   public:
+    Blocks(const Surface& surface, std::int32_t column) : surface_(surface), inner_(surface.inner, column) {
+      place(column);
+    }
+    [[nodiscard]] std::uint32_t rest() const { return rest_; }
+    [[nodiscard]] auto source() const {
+      return Source<decltype(inner_.source())>{inner_.source(), mask_, surface_.layering};
+    }
+    void next() {
+      inner_.move(rest_);
+      place(inner_.column());
+    }
+
+   private:
+    void place(std::int32_t column) {
+      rest_ = inner_.rest();
+      mask_ = ~std::uint32_t{0};
+      if (surface_.blends()) return;
+      const std::uint32_t x = word(column + surface_.origin), into = x & 31;
+      if (32 - into < rest_) rest_ = 32 - into;
+      mask_ = surface_.mask(x - into);
+      mask_ = mask_ >> into | mask_ << ((32 - into) & 31);
+    }
+
+    /// The inner surface as pieces, whichever kind it is.
+    class InnerWalk {
+     public:
+      InnerWalk(const typename Inner::Surface& surface, std::int32_t column)
+          : surface_(surface), walk_(at(surface, column)), column_(column) {}
+      [[nodiscard]] std::int32_t column() const { return column_; }
+      [[nodiscard]] std::uint32_t rest() const {
+        if constexpr (in_blocks)
+          return walk_.rest();
+        else
+          return std::numeric_limits<std::uint32_t>::max();
+      }
+      [[nodiscard]] auto source() const {
+        if constexpr (in_blocks)
+          return walk_.source();
+        else
+          return walk_;
+      }
+      void move(std::uint32_t columns) {
+        column_ += signed_word(columns);
+        if constexpr (in_blocks) {
+          if (columns == walk_.rest()) {
+            walk_.next();
+            return;
+          }
+          // Pieces of the pattern end inside those of affine textures alone, which are as long as the row.
+          new (&walk_) Walk(at(surface_, column_));
+        } else {
+          walk_ = at(surface_, column_);
+        }
+      }
+
+     private:
+      static constexpr bool in_blocks = SurfaceInBlocks<typename Inner::Surface>;
+      static auto at(const typename Inner::Surface& surface, std::int32_t column) {
+        if constexpr (in_blocks)
+          return surface.blocks(column);
+        else
+          return surface.source(column);
+      }
+      using Walk = decltype(at(std::declval<const typename Inner::Surface&>(), 0));
+      const typename Inner::Surface& surface_;
+      Walk walk_;
+      std::int32_t column_;
+    };
+
+    const Surface& surface_;
+    InnerWalk inner_;
+    std::uint32_t rest_ = 0, mask_ = 0;
+  };
+
+  struct Surface {
+    typename Inner::Surface inner;
+    std::uint32_t owner;  ///< whose pattern it has
+    Layering layering;
+    std::int16_t origin;  ///< screen column that columns count from
+    std::uint16_t row;    ///< of the screen
+
+    void next_row() {
+      inner.next_row();
+      ++row;
+    }
+    void skip_rows(std::int32_t rows) {
+      inner.skip_rows(rows);
+      row = static_cast<std::uint16_t>(row + rows);
+    }
+    [[nodiscard]] Blocks blocks(std::int32_t column) const { return {*this, column}; }
+    [[nodiscard]] bool blends() const { return is(layering, Transparency::blend) || is(layering, Transparency::add); }
+    /// The pattern's bits for 32 columns from `x` on, a multiple of 32.
+    [[nodiscard]] std::uint32_t mask(std::uint32_t x) const {
+      return is(layering, Transparency::screen_door)
+                 ? stipple::ordered_mask(owner, layering.level, row)
+                 : stipple::random_mask(owner, layering.level, x, row, layering.variant);
+    }
+
+    /// Lays a run over what lies behind it.
+    [[gnu::noinline]] void lay(std::int32_t column, std::uint32_t count, Pixel* pixels) const {
+      if (!blends()) {
+        fill_detail::fill_blocks(pixels, count, blocks(column));
+        return;
+      }
+      if constexpr (!SurfaceInBlocks<typename Inner::Surface>) {
+        const auto source = inner.source(column);
+        if constexpr (decltype(source)::constant) {
+          if (is(layering, Transparency::blend)) {
+            blend_constant<Format>(Premultiplied565::from(Format::from_rgb565(source.get()), layering.level), count,
+                                   pixels);
+            return;
+          }
+        }
+      }
+      Blocks walk = blocks(column);
+      for (;;) {
+        const std::uint32_t piece = walk.rest() < count ? walk.rest() : count;
+        auto source = walk.source();
+        for (std::uint32_t i = 0; i < piece; ++i, source.forward())
+          if (source.present()) source.layer().over(pixels[i]);
+        pixels += piece;
+        count -= piece;
+        if (count == 0) return;
+        walk.next();
+      }
+    }
+  };
+
+  template <class Gradients>
+  static void make(Surface& surface, const ShadingGroup& group, const PolygonCorners& polygon,
+                   const Gradients& gradients) {
+    make_surface<Inner>(surface.inner, group, polygon, gradients);
+    surface.layering = group.layering;
+    surface.origin = static_cast<std::int16_t>(gradients.origin());
+    surface.row = static_cast<std::uint16_t>(gradients.row());
+    // The two sides of an instance lie over one another: they have patterns of their own.
+    const std::uint32_t back = turned_away(polygon) ? 1 : 0;
+    surface.owner =
+        is(group.layering, Transparency::screen_door) ? group.layering.variant + 4 * back : 2 * group.first_id + back;
+  }
+
+ private:
+  [[nodiscard]] static bool is(Layering layering, Transparency transparency) {
+    return layering.transparency == static_cast<unsigned>(transparency);
+  }
+  /// Clockwise on screen.
+  [[nodiscard]] static bool turned_away(const PolygonCorners& polygon) {
+    const auto [a, b, c] = polygon.corner;
+    const auto product = [](std::int32_t p, std::int32_t q) { return static_cast<std::int64_t>(p) * q; };
+    return product(b->x - a->x, c->y - a->y) > product(b->y - a->y, c->x - a->x);
+  }
+};
+
+}  // namespace spanline

@@ -1,0 +1,108 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "spanline/raster/active_triangle.hpp"
+#include "spanline/visibility/band_target.hpp"
+
+namespace spanline {
+
+/// Draws the rows of a see-through triangle that lie in a band: the slow sibling of TriangleRows, one function for all
+/// sizes of triangles. Pixels that are nearer than what is drawn become fragments where colours mix, and are written
+/// like any other where the surface is opaque but has holes.
+template <class Depth, class Pixel, class Fragments, bool Counting>
+struct SeeThroughRows {
+  using Target = BandTarget<Depth, Pixel>;
+
+  /// As TriangleRows::draw.
+  template <class Surface, class CornersOf>
+  [[gnu::noinline]] static bool draw(ActiveTriangle& triangle, Surface& surface, const Target& target,
+                                     Fragments& fragments, CornersOf corners_of) {
+    while (triangle.rows_to_bend + triangle.rows_after_bend > 0) {
+      if (triangle.row == target.end_row) return true;
+      if (triangle.rows_to_bend == 0 && !triangle.flags.bent()) bend(triangle, corners_of);
+      const std::int32_t row = triangle.row - target.first_row;
+      const Columns columns = step(triangle, target.width);
+      if (columns.end > columns.first)
+        run(triangle.depth.at(columns.first), triangle.depth.dx, surface, columns,
+            static_cast<std::size_t>(row * target.width + triangle.origin + columns.first), target, fragments);
+      triangle.depth.next_row();
+      surface.next_row();
+      ++triangle.row;
+      --(triangle.rows_to_bend != 0 ? triangle.rows_to_bend : triangle.rows_after_bend);
+    }
+    return false;
+  }
+
+ private:
+  /// From the triangle's column of origin.
+  struct Columns {
+    std::int32_t first, end;
+  };
+
+  template <class CornersOf>
+  static void bend(ActiveTriangle& triangle, CornersOf& corners_of) {
+    triangle.flags.set_bent();
+    if (triangle.flags.size() == ActiveTriangle::Size::large) {
+      bend_large(corners_of(), triangle);
+    } else if (triangle.flags.right_bends()) {
+      triangle.fixed.right = triangle.fixed.bend;
+      triangle.fixed.right_step = triangle.fixed.bend_step;
+    } else {
+      triangle.fixed.left = triangle.fixed.bend;
+      triangle.fixed.left_step = triangle.fixed.bend_step;
+    }
+  }
+
+  /// The columns of the current row, and a step of the edges to the next.
+  static Columns step(ActiveTriangle& triangle, std::int32_t width) {
+    if (triangle.flags.size() == ActiveTriangle::Size::large) {
+      const std::int32_t first = triangle.large.left.x, end = triangle.large.right.x;
+      triangle.large.left.next_row();
+      triangle.large.right.next_row();
+      return {std::max<std::int32_t>(first, 0), std::min(end, width)};
+    }
+    const int fraction_bits = triangle.flags.size() == ActiveTriangle::Size::small ? small_triangle::fraction_bits
+                                                                                   : medium_triangle::fraction_bits;
+    const Columns columns{signed_word(triangle.fixed.left >> fraction_bits),
+                          signed_word(triangle.fixed.right >> fraction_bits)};
+    triangle.fixed.left += triangle.fixed.left_step;
+    triangle.fixed.right += triangle.fixed.right_step;
+    return columns;
+  }
+
+  /// A run that begins at pixel `at` of the band with plane word `z`.
+  template <class Surface>
+  static void run(std::uint32_t z, std::uint32_t dz, const Surface& surface, Columns columns, std::size_t at,
+                  const Target& target, Fragments& fragments) {
+    const bool blends = surface.blends();
+    std::uint32_t count = word(columns.end - columns.first);
+    if constexpr (Counting) {
+      ++target.counters->spans;
+      target.counters->depth_tests += count;
+    }
+    auto walk = surface.blocks(columns.first);
+    for (;;) {
+      const std::uint32_t piece = walk.rest() < count ? walk.rest() : count;
+      auto source = walk.source();
+      for (std::uint32_t i = 0; i < piece; ++i, ++at, z += dz, source.forward()) {
+        const std::uint32_t candidate = Depth::stored(z);
+        if (!Depth::hides(candidate, target.depth[at]) || !source.present()) continue;
+        if constexpr (Counting) ++target.counters->pixels;
+        const auto depth = static_cast<typename Depth::Word>(candidate);
+        if (blends) {
+          fragments.add(at, depth, source.layer(), target.depth[at], target.pixels[at]);
+        } else {
+          target.depth[at] = depth;
+          target.pixels[at] = source.get();
+        }
+      }
+      count -= piece;
+      if (count == 0) return;
+      walk.next();
+    }
+  }
+};
+
+}  // namespace spanline
