@@ -74,6 +74,17 @@ void add_drawing_options(CLI::App& command, RenderTexts& texts) {
       ->group(group);
 }
 
+void add_transparency_options(CLI::App& command, RenderTexts& texts) {
+  const std::string group = "Transparency";
+  command.add_option("--opacity", texts.opacity, "of the model, times what its materials say (1)")
+      ->type_name("0..1")
+      ->group(group);
+  command.add_option("--transparency", texts.transparency, "how what lies behind shows (blend)")
+      ->type_name("blend|screen-door|stochastic")
+      ->group(group);
+  command.add_option("--samples", texts.samples, "a pixel, for stochastic (4)")->type_name("4|8|16")->group(group);
+}
+
 void add_later_options(CLI::App& command, RenderTexts& texts) {
   const std::string group = "Not available yet";
   command.add_option("--structure", texts.structure, "for ray")->type_name("grid|octree|kd|bsp")->group(group);
@@ -81,24 +92,18 @@ void add_later_options(CLI::App& command, RenderTexts& texts) {
   command.add_option("--filter", texts.filter)->type_name("nearest|bilinear")->group(group);
   command.add_flag("--mipmap", texts.mipmap)->group(group);
   command.add_option("--wrap", texts.wrap)->type_name("repeat|clamp")->group(group);
-  command.add_option("--opacity", texts.opacity)->type_name("A")->group(group);
-  command.add_option("--transparency", texts.transparency)->type_name("blend|screen-door|stochastic")->group(group);
-  command.add_option("--samples", texts.samples)->type_name("N")->group(group);
   command.add_option("--fog", texts.fog)->type_name("NEAR,FAR,RRGGBB")->group(group);
   command.add_flag("--dither", texts.dither)->group(group);
 }
 
 void refuse_later_options(const RenderTexts& texts) {
-  const std::array<std::pair<const char*, bool>, 10> later{{{"--structure", texts.structure.has_value()},
-                                                            {"--wireframe", texts.wireframe},
-                                                            {"--filter", texts.filter.has_value()},
-                                                            {"--mipmap", texts.mipmap},
-                                                            {"--wrap", texts.wrap.has_value()},
-                                                            {"--opacity", texts.opacity.has_value()},
-                                                            {"--transparency", texts.transparency.has_value()},
-                                                            {"--samples", texts.samples.has_value()},
-                                                            {"--fog", texts.fog.has_value()},
-                                                            {"--dither", texts.dither}}};
+  const std::array<std::pair<const char*, bool>, 7> later{{{"--structure", texts.structure.has_value()},
+                                                           {"--wireframe", texts.wireframe},
+                                                           {"--filter", texts.filter.has_value()},
+                                                           {"--mipmap", texts.mipmap},
+                                                           {"--wrap", texts.wrap.has_value()},
+                                                           {"--fog", texts.fog.has_value()},
+                                                           {"--dither", texts.dither}}};
   for (const auto& [name, given] : later)
     if (given) throw NotAvailable(name);
 }
@@ -171,6 +176,26 @@ void parse_light(const RenderTexts& texts, RenderArguments& arguments) {
   if (texts.background) arguments.background = parse_colour("--background", *texts.background);
 }
 
+/// After the size is known.
+void parse_transparency(const RenderTexts& texts, RenderArguments& arguments) {
+  arguments.opacity = optional_number("--opacity", texts.opacity).value_or(1);
+  if (arguments.opacity < 0 || arguments.opacity > 1) throw UsageError("--opacity: must lie between 0 and 1");
+  if (texts.transparency)
+    arguments.transparency = parse_choice(
+        "--transparency", *texts.transparency,
+        std::array{std::pair{"blend", Transparency::blend}, std::pair{"screen-door", Transparency::screen_door},
+                   std::pair{"stochastic", Transparency::stochastic}});
+  const bool stochastic = arguments.transparency == Transparency::stochastic;
+  if (texts.samples && !stochastic) throw UsageError("--samples goes with --transparency stochastic");
+  if (!stochastic) return;
+  arguments.samples = parse_choice("--samples", texts.samples.value_or("4"),
+                                   std::array{std::pair{"4", 4}, std::pair{"8", 8}, std::pair{"16", 16}});
+  const int most = greatest_size / (arguments.samples == 16 ? 4 : 2);
+  if (arguments.size.width > most || arguments.size.height > most)
+    throw UsageError("--samples: with " + std::to_string(arguments.samples) + " a pixel a picture has at most " +
+                     std::to_string(most) + "x" + std::to_string(most) + " pixels");
+}
+
 void parse_panel(const RenderTexts& texts, RenderArguments& arguments) {
   if (!texts.panel) return;
   arguments.panel = find_panel(*texts.panel);
@@ -236,6 +261,7 @@ void add_render_options(CLI::App& command, RenderTexts& texts) {
   add_output_options(command, texts);
   add_camera_options(command, texts);
   add_drawing_options(command, texts);
+  add_transparency_options(command, texts);
   add_later_options(command, texts);
 }
 
@@ -247,6 +273,7 @@ RenderArguments parse_render_arguments(const RenderTexts& texts) {
   arguments.view = parse_view(texts);
   parse_light(texts, arguments);
   parse_panel(texts, arguments);
+  parse_transparency(texts, arguments);
   parse_pick(texts, arguments);
   parse_outputs(texts, arguments);
   return arguments;

@@ -59,6 +59,23 @@ std::optional<ColourFactor> material_colour(const aiScene& file, unsigned index)
   return to_factor(colour);
 }
 
+/// What of a material is seen: its opacity, unless glTF's alphaMode says otherwise (glTF 2.0, 3.9.4, "Alpha Coverage").
+std::uint32_t material_opacity(const aiScene& file, unsigned index) {
+  constexpr std::uint32_t opaque = 255;
+  if (index >= file.mNumMaterials) return opaque;
+  const aiMaterial& material = *file.mMaterials[index];
+  ai_real opacity = 1;
+  if (material.Get(AI_MATKEY_OPACITY, opacity) != aiReturn_SUCCESS) return opaque;
+  const std::uint32_t straight = to_byte(static_cast<double>(opacity));
+  aiString mode;
+  if (material.Get("$mat.gltf.alphaMode", 0, 0, mode) != aiReturn_SUCCESS) return straight;
+  if (std::string_view(mode.C_Str()) == "BLEND") return straight;
+  if (std::string_view(mode.C_Str()) != "MASK") return opaque;
+  ai_real cutoff = ai_real(0.5);
+  if (material.Get("$mat.gltf.alphaCutoff", 0, 0, cutoff) != aiReturn_SUCCESS) cutoff = ai_real(0.5);
+  return opacity < cutoff ? 0 : opaque;
+}
+
 /// The sum of the fan's cross products is Newell's normal (Sutherland, Sproull, Schumacker 1974): it holds for polygons
 /// that are not quite planar, too.
 Vector3 newell_normal(const std::vector<Vector3>& corners) {
@@ -112,6 +129,8 @@ class SceneBuilder {
     const std::optional<ColourFactor> colour = material_colour(file_, mesh.mMaterialIndex);
     add_vertices(mesh, world, colour.value_or(ColourFactor{}));
     const bool mirrored = world.determinant() < 0;
+    scene_.parts.push_back(
+        {static_cast<std::uint32_t>(scene_.triangles.size()), material_opacity(file_, mesh.mMaterialIndex)});
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) add_polygon(mesh, mesh.mFaces[i], mirrored);
     if (any_materials_)
       scene_.polygon_colours.resize(scene_.triangles.size(), colour.value_or(ColourFactor{}).rounded());

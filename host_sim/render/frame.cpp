@@ -6,6 +6,7 @@
 #include "registry/visibility_list.hpp"
 #include "scene/core_values.hpp"
 #include "spanline/frame/pick.hpp"
+#include "spanline/shade/average.hpp"
 
 namespace spanline::sim {
 namespace {
@@ -68,9 +69,9 @@ void grow(Capacity& capacity, const Status& status) {
 template <class Traits>
 class Pass {
  public:
-  /// `meshes` and the lights of `settings` outlive the pass.
-  Pass(const std::vector<Mesh>& meshes, const FrameSettings& settings, const Material& material)
-      : meshes_(meshes), settings_(settings), material_(material) {}
+  /// `meshes`, `materials`, one a mesh, and the lights of `settings` outlive the pass.
+  Pass(const std::vector<Mesh>& meshes, const FrameSettings& settings, const std::vector<Material>& materials)
+      : meshes_(meshes), settings_(settings), materials_(materials) {}
 
   std::vector<typename Traits::Format::Pixel> pixels;
   std::vector<std::uint32_t> depths;
@@ -110,8 +111,8 @@ class Pass {
     Renderer<Traits> renderer(capacity, std::span(memory).first(bytes));
     if (const Status status = renderer.status(); !status.ok()) return status;
     if (const Status status = renderer.begin(settings_); !status.ok()) return status;
-    for (const Mesh& mesh : meshes_)
-      if (const Status status = renderer.add(mesh, Transform{}, material_); !status.ok()) return status;
+    for (std::size_t i = 0; i < meshes_.size(); ++i)
+      if (const Status status = renderer.add(meshes_[i], Transform{}, materials_[i]); !status.ok()) return status;
     if (const Status status = finish(renderer); !status.ok()) return status;
     statistics = renderer.statistics();
     peaks = renderer.peaks();
@@ -120,7 +121,7 @@ class Pass {
 
   const std::vector<Mesh>& meshes_;
   FrameSettings settings_;
-  Material material_;
+  const std::vector<Material>& materials_;
 };
 
 std::vector<DirectionalLight> to_core_lights(const SceneLight& light) {
@@ -131,9 +132,11 @@ std::vector<DirectionalLight> to_core_lights(const SceneLight& light) {
 }
 
 std::vector<std::pair<std::string, std::uint64_t>> named_peaks(const PoolPeaks& peaks) {
-  return {{"instances", peaks.instances},   {"vertices", peaks.vertices}, {"shades", peaks.shades},
-          {"textures", peaks.textures},     {"polygons", peaks.polygons}, {"fans", peaks.fans},
-          {"active", peaks.active},         {"buckets", peaks.buckets},   {"colour_bands", peaks.colour_bands},
+  return {{"instances", peaks.instances},   {"vertices", peaks.vertices},
+          {"shades", peaks.shades},         {"textures", peaks.textures},
+          {"polygons", peaks.polygons},     {"fans", peaks.fans},
+          {"active", peaks.active},         {"layers", peaks.layers},
+          {"buckets", peaks.buckets},       {"colour_bands", peaks.colour_bands},
           {"depth_band", peaks.depth_band}, {"total", peaks.total()}};
 }
 
@@ -154,12 +157,18 @@ class FrameDrawing {
     for (const CoreMesh& mesh : meshes) {
       triangles_ += mesh.indices.size() / 3;
       meshes_.push_back(mesh.view());
+      see_through_ = see_through_ || mesh.opacity < 255;
     }
     const CoreMesh& first = meshes.front();
     // Without normals every vertex is fully lit: only colours of vertices call for interpolation then.
     const bool smooth = request.smooth && !(first.vertex_normals.empty() && first.vertex_colours.empty());
-    material_ = {first.colour, smooth ? ShadingMode::gouraud : ShadingMode::flat};
-    material_.texturing.texture = request.texture;
+    Material material{first.colour, smooth ? ShadingMode::gouraud : ShadingMode::flat};
+    material.texturing.texture = request.texture;
+    material.transparency = request.transparency;
+    for (const CoreMesh& mesh : meshes) {
+      material.opacity = mesh.opacity;
+      materials_.push_back(material);
+    }
   }
 
   Frame draw() {
@@ -167,14 +176,17 @@ class FrameDrawing {
     set_up(lights);
     Frame frame;
     frame.size = request_.size;
-    draw_colours(frame);
+    if (see_through_)
+      draw_colours<SeeThroughTraits<Rgb565, Depth, true, Visibility>>(frame);
+    else
+      draw_colours<TextureTraits<Rgb565, Depth, true, Visibility>>(frame);
     if (request_.want_ids || request_.want_statistics) draw_ids(frame);
     return frame;
   }
 
   PickedPixel pick(int x, int y) {
     set_up({});
-    Pass<IdTraits<Depth, true, Visibility>> pass(meshes_, settings_, material_);
+    Pass<IdTraits<Depth, true, Visibility>> pass(meshes_, settings_, materials_);
     Picked<Depth> picked;
     pass.run(capacity_, memory_, [&](auto& renderer) { return spanline::pick(renderer, x, y, picked); });
     return {picked.id, picked.id == 0 ? background_depth(Depth::bits) : picked.depth};
@@ -188,8 +200,9 @@ class FrameDrawing {
     settings_.cull = request_.cull;
   }
 
+  template <class Traits>
   void draw_colours(Frame& frame) {
-    Pass<TextureTraits<Rgb565, Depth, true, Visibility>> pass(meshes_, settings_, material_);
+    Pass<Traits> pass(meshes_, settings_, materials_);
     pass.want_depth = request_.want_depth;
     pass.want_covered = request_.want_statistics;
     pass.run(capacity_, memory_, triangles_);
@@ -204,11 +217,43 @@ class FrameDrawing {
     if (request_.want_statistics) statistics.polygons.empty = counted.total - counted.outside - counted.back - covered_;
     statistics.visibility = pass.statistics.visibility;
     statistics.peak_bytes = named_peaks(pass.peaks);
+    if (request_.samples > 1) draw_samples<Traits>(frame.pixels);
+  }
+
+  /// The picture again, every pixel the mean of several: 4 of a picture of twice the size, 8 of two such, 16 of one of
+  /// four times the size.
+  template <class Traits>
+  void draw_samples(std::vector<std::uint16_t>& pixels) {
+    const unsigned factor = request_.samples == 16 ? 4 : 2;
+    const int passes = request_.samples == 8 ? 2 : 1;
+    const Capacity plain = capacity_;
+    capacity_.width = static_cast<std::uint16_t>(capacity_.width * factor);
+    capacity_.height = static_cast<std::uint16_t>(capacity_.height * factor);
+    capacity_.band_lines = static_cast<std::uint16_t>(
+        plain.band_lines == plain.height ? capacity_.height
+                                         : std::min<unsigned>(plain.band_lines * factor, capacity_.height));
+    FrameSettings settings = settings_;
+    settings.camera.focal = Q16_16::from_raw(settings.camera.focal.raw() * static_cast<std::int32_t>(factor));
+    std::vector<std::uint32_t> sums(pixels.size());
+    for (int number = 0; number < passes; ++number) {
+      settings.stipple_seed = static_cast<std::uint8_t>(number);
+      Pass<Traits> pass(meshes_, settings, materials_);
+      pass.run(capacity_, memory_, triangles_);
+      const std::size_t stride = capacity_.width;
+      for (std::size_t i = 0; i < sums.size(); ++i)
+        sums[i] +=
+            sample_sum<Rgb565>(pass.pixels.data() + i / plain.width * factor * stride, stride, i % plain.width, factor);
+    }
+    const unsigned log2_samples = request_.samples == 4 ? 2 : request_.samples == 8 ? 3 : 4;
+    for (std::size_t i = 0; i < sums.size(); ++i) pixels[i] = sample_mean(sums[i], log2_samples);
+    capacity_.width = plain.width;
+    capacity_.height = plain.height;
+    capacity_.band_lines = plain.band_lines;
   }
 
   void draw_ids(Frame& frame) {
     if (triangles_ >= (1u << 24)) throw Failure("pictures of ids count to 16777215, and the model has more triangles");
-    Pass<IdTraits<Depth, false, Visibility>> pass(meshes_, settings_, material_);
+    Pass<IdTraits<Depth, false, Visibility>> pass(meshes_, settings_, materials_);
     pass.run(capacity_, memory_, triangles_);
     const std::uint64_t visible = distinct_ids(pass.pixels, triangles_);
     frame.statistics.polygons.visible = visible;
@@ -218,7 +263,8 @@ class FrameDrawing {
 
   const FrameRequest& request_;
   std::vector<Mesh> meshes_;
-  Material material_;
+  std::vector<Material> materials_;
+  bool see_through_ = false;
   Capacity& capacity_;
   std::vector<std::byte>& memory_;
   FrameSettings settings_;

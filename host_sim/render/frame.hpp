@@ -27,6 +27,8 @@ struct FrameRequest {
   Camera camera;
   SceneLight light;
   Rgb888 background;
+  Transparency transparency = Transparency::blend;  ///< of all that is not opaque
+  int samples = 1;                                  ///< a pixel: 1, 4, 8 or 16
   bool want_depth = false, want_ids = false, want_statistics = false;
 };
 

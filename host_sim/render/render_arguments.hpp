@@ -26,6 +26,9 @@ struct RenderArguments {
   std::vector<Vector3> lights;
   std::optional<double> ambient;
   Rgb888 background{0, 0, 0};
+  double opacity = 1;  ///< multiplies the model's own
+  Transparency transparency = Transparency::blend;
+  int samples = 1;
   const PanelInfo* panel = nullptr;
   std::optional<std::string> depth_output, ids_output, statistics_output;
   struct Pixel {

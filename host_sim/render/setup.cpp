@@ -48,6 +48,8 @@ FrameRequest make_request(const RenderArguments& arguments, const ShadingEntry& 
   request.camera = to_camera(view, world, arguments.size);
   request.light = shading.lit ? light : SceneLight{};
   request.background = arguments.background;
+  request.transparency = arguments.transparency;
+  request.samples = arguments.samples;
   request.want_depth = arguments.depth_output.has_value();
   request.want_ids = arguments.ids_output.has_value();
   request.want_statistics = arguments.statistics_output.has_value();

@@ -15,6 +15,8 @@ Studio::Studio(const RenderArguments& arguments) : arguments_(arguments), scene_
     image_ = read_texture(*arguments.texture);
     texture_ = image_.view();
   }
+  fade(scene_, arguments.opacity);
+  if (shading_->textured && is_see_through(scene_)) throw NotAvailable("--shade texture on what is seen through");
   scene_ = prepared_for(std::move(scene_), *shading_);
   view_ = resolve_view(arguments.view, scene_, arguments.size, arguments.turntable_frames > 0);
   light_ = resolve_light(arguments.lights, arguments.ambient, view_);

@@ -32,8 +32,12 @@ class MeshCutter {
   }
 
   std::vector<CoreMesh> cut() {
+    const bool by_parts = is_see_through(scene_);
+    auto part = scene_.parts.begin();
     for (std::size_t i = 0; i < scene_.triangles.size(); ++i) {
-      if (!fits(scene_.triangles[i])) finish_mesh();
+      const bool part_begins = by_parts && part != scene_.parts.end() && part->first == i;
+      if ((part_begins && i != 0) || !fits(scene_.triangles[i])) finish_mesh();
+      if (part_begins) opacity_ = static_cast<std::uint8_t>((part++)->opacity);
       add_triangle(i);
     }
     finish_mesh();
@@ -84,6 +88,7 @@ class MeshCutter {
     mesh_.step_exponent = wide_step_exponent;
     mesh_.texture_exponent = texture_exponent_;
     mesh_.colour = scene_.colour;
+    mesh_.opacity = opacity_;
     meshes_.push_back(std::move(mesh_));
     mesh_ = {};
     used_.clear();
@@ -95,6 +100,7 @@ class MeshCutter {
   std::vector<CoreMesh> meshes_;
   CoreMesh mesh_;
   std::vector<std::uint32_t> local_;        ///< number within the mesh of each of the scene's vertices
+  std::uint8_t opacity_ = 255;              ///< of the part
   std::vector<std::uint32_t> used_;         ///< vertices of the mesh
   std::vector<Vec3<std::int64_t>> points_;  ///< of all meshes
 };

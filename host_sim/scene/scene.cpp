@@ -39,6 +39,16 @@ void push_if_used(Table& table, bool used, const Value& value) {
 
 }  // namespace
 
+bool is_see_through(const Scene& scene) {
+  return std::any_of(scene.parts.begin(), scene.parts.end(),
+                     [](const Scene::Part& part) { return part.opacity < 255; });
+}
+
+void fade(Scene& scene, double opacity) {
+  if (scene.parts.empty()) scene.parts.emplace_back();
+  for (Scene::Part& part : scene.parts) part.opacity = static_cast<std::uint32_t>(part.opacity * opacity + 0.5);
+}
+
 BoundingBox bounding_box(const Scene& scene) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   BoundingBox box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
@@ -56,6 +66,7 @@ Scene welded(const Scene& scene) {
   Scene result;
   result.polygon_normals = scene.polygon_normals;
   result.polygon_colours = scene.polygon_colours;
+  result.parts = scene.parts;
   result.colour = scene.colour;
   result.normals_from_file = scene.normals_from_file;
   result.triangles.reserve(scene.triangles.size());

@@ -19,6 +19,12 @@ struct TexturePoint {
 /// Triangles stand in file order; a polygon of n corners is the fan (0,1,2), (0,2,3) … Every table is either empty or
 /// complete.
 struct Scene {
+  /// A run of triangles that the file keeps together: a surface of its own where it is seen through.
+  struct Part {
+    std::uint32_t first = 0;      ///< triangle; the run goes to the next part's first
+    std::uint32_t opacity = 255;  ///< 255ths
+    friend bool operator==(const Part&, const Part&) = default;
+  };
   using Triangle = std::array<std::uint32_t, 3>;
 
   std::vector<Vector3> positions;
@@ -28,9 +34,16 @@ struct Scene {
   std::vector<Triangle> triangles;           ///< vertex numbers
   std::vector<Vector3> polygon_normals;      ///< one a triangle: its polygon's (Newell), zero if it has no area
   std::vector<Rgb888> polygon_colours;       ///< one a triangle
+  std::vector<Part> parts;                   ///< in file order; empty: one, opaque
   Rgb888 colour{};                           ///< of everything, where there are no tables of colours
   bool normals_from_file = false;            ///< the file itself has vertex normals
 };
+
+/// Whether anything shows what lies behind it.
+[[nodiscard]] bool is_see_through(const Scene& scene);
+
+/// Multiplies every part's opacity by a factor in [0, 1].
+void fade(Scene& scene, double opacity);
 
 /// The box around all vertices that a triangle uses.
 struct BoundingBox {

@@ -31,13 +31,24 @@ bool take(std::span<const std::byte>& bytes, std::vector<T>& table) {
 
 bool finite_point(TexturePoint p) { return std::isfinite(p.s) && std::isfinite(p.t); }
 
+/// Parts begin at the first triangle, one behind the other.
+bool in_order(const std::vector<Scene::Part>& parts, std::size_t triangles) {
+  std::uint64_t least = 0;
+  for (const Scene::Part& part : parts) {
+    if ((least == 0 && part.first != 0) || part.first < least || part.first >= triangles || part.opacity > 255)
+      return false;
+    least = std::uint64_t{part.first} + 1;
+  }
+  return true;
+}
+
 bool consistent(const Scene& scene) {
   const auto none_or = [](std::size_t size, std::size_t wanted) { return size == 0 || size == wanted; };
   const std::size_t vertices = scene.positions.size();
   const std::size_t triangles = scene.triangles.size();
   return none_or(scene.vertex_normals.size(), vertices) && none_or(scene.vertex_colours.size(), vertices) &&
          none_or(scene.texture_points.size(), vertices) && none_or(scene.polygon_colours.size(), triangles) &&
-         scene.polygon_normals.size() == triangles &&
+         scene.polygon_normals.size() == triangles && in_order(scene.parts, triangles) &&
          std::all_of(scene.positions.begin(), scene.positions.end(), finite) &&
          std::all_of(scene.vertex_normals.begin(), scene.vertex_normals.end(), finite) &&
          std::all_of(scene.texture_points.begin(), scene.texture_points.end(), finite_point) &&
@@ -60,6 +71,7 @@ std::vector<std::byte> to_bytes(const Scene& scene) {
   put(bytes, scene.triangles);
   put(bytes, scene.polygon_normals);
   put(bytes, scene.polygon_colours);
+  put(bytes, scene.parts);
   return bytes;
 }
 
@@ -71,7 +83,7 @@ std::optional<Scene> scene_from_bytes(std::span<const std::byte> bytes) {
   const bool whole = take(bytes, scene.positions) && take(bytes, scene.vertex_normals) &&
                      take(bytes, scene.vertex_colours) && take(bytes, scene.texture_points) &&
                      take(bytes, scene.triangles) && take(bytes, scene.polygon_normals) &&
-                     take(bytes, scene.polygon_colours) && bytes.empty();
+                     take(bytes, scene.polygon_colours) && take(bytes, scene.parts) && bytes.empty();
   if (!whole || !consistent(scene)) return std::nullopt;
   return scene;
 }

@@ -59,6 +59,30 @@ concept SurfaceInBlocks = requires(const S& surface, std::int32_t column) {
   { surface.blocks(column) } -> RunBlocks;
 };
 
+/// Calls visit(source) for each of the `count` ≥ 1 pixels from where `blocks` stands.
+template <RunBlocks Blocks, class Visit>
+[[gnu::always_inline]] inline void for_each_pixel(Blocks blocks, std::uint32_t count, Visit visit) {
+  constexpr std::uint32_t columns_a_piece = 4;  // behind the first of a block
+  for (;;) {
+    std::uint32_t left = blocks.rest_of_block() < count ? blocks.rest_of_block() : count, piece = blocks.rest();
+    count -= left;
+    auto source = blocks.source();
+    for (;;) {
+      if (piece > left) piece = left;
+      left -= piece;
+      for (; piece != 0; --piece) {
+        visit(source);
+        source.forward();
+      }
+      if (left == 0) break;
+      source.bend();
+      piece = columns_a_piece;
+    }
+    if (count == 0) return;
+    blocks.next();
+  }
+}
+
 /// A shader of polygons that what lies behind may show through. Its surfaces come in blocks. `blends()` of a surface
 /// tells whether its colours mix with those behind; otherwise it is opaque where it is present, and a depth test is all
 /// that it takes. `layer()` of a source is the current pixel as a `Layer` of a few bytes, the same type for all shaders

@@ -88,16 +88,20 @@ struct SeeThroughShader {
       InnerSource::back();
       mask = mask << 1 | mask >> 31;
     }
+    void bend() {
+      if constexpr (requires(InnerSource & source) { source.bend(); }) InnerSource::bend();
+    }
   };
 
-  /// Pieces that end where the inner surface's do, and at multiples of 32 columns of the screen where there is a
+  /// Blocks that end where the inner surface's do, and at multiples of 32 columns of the screen where there is a
   /// pattern.
   class Blocks {
    public:
     Blocks(const Surface& surface, std::int32_t column) : surface_(surface), inner_(surface.inner, column) {
       place(column);
     }
-    [[nodiscard]] std::uint32_t rest() const { return rest_; }
+    [[nodiscard]] std::uint32_t rest() const { return inner_.rest() < rest_ ? inner_.rest() : rest_; }
+    [[nodiscard]] std::uint32_t rest_of_block() const { return rest_; }
     [[nodiscard]] auto source() const {
       return Source<decltype(inner_.source())>{inner_.source(), mask_, surface_.layering};
     }
@@ -108,7 +112,7 @@ struct SeeThroughShader {
 
    private:
     void place(std::int32_t column) {
-      rest_ = inner_.rest();
+      rest_ = inner_.rest_of_block();
       mask_ = ~std::uint32_t{0};
       if (surface_.blends()) return;
       const std::uint32_t x = word(column + surface_.origin), into = x & 31;
@@ -127,7 +131,13 @@ struct SeeThroughShader {
         if constexpr (in_blocks)
           return walk_.rest();
         else
-          return std::numeric_limits<std::uint32_t>::max();
+          return unbounded;
+      }
+      [[nodiscard]] std::uint32_t rest_of_block() const {
+        if constexpr (in_blocks)
+          return walk_.rest_of_block();
+        else
+          return unbounded;
       }
       [[nodiscard]] auto source() const {
         if constexpr (in_blocks)
@@ -138,11 +148,11 @@ struct SeeThroughShader {
       void move(std::uint32_t columns) {
         column_ += signed_word(columns);
         if constexpr (in_blocks) {
-          if (columns == walk_.rest()) {
+          if (columns == walk_.rest_of_block()) {
             walk_.next();
             return;
           }
-          // Pieces of the pattern end inside those of affine textures alone, which are as long as the row.
+          // The pattern's blocks end inside those of affine textures alone, which are as long as the row.
           new (&walk_) Walk(at(surface_, column_));
         } else {
           walk_ = at(surface_, column_);
@@ -150,6 +160,7 @@ struct SeeThroughShader {
       }
 
      private:
+      static constexpr std::uint32_t unbounded = std::numeric_limits<std::uint32_t>::max();
       static constexpr bool in_blocks = SurfaceInBlocks<typename Inner::Surface>;
       static auto at(const typename Inner::Surface& surface, std::int32_t column) {
         if constexpr (in_blocks)
@@ -208,17 +219,10 @@ struct SeeThroughShader {
           }
         }
       }
-      Blocks walk = blocks(column);
-      for (;;) {
-        const std::uint32_t piece = walk.rest() < count ? walk.rest() : count;
-        auto source = walk.source();
-        for (std::uint32_t i = 0; i < piece; ++i, source.forward())
-          if (source.present()) source.layer().over(pixels[i]);
-        pixels += piece;
-        count -= piece;
-        if (count == 0) return;
-        walk.next();
-      }
+      for_each_pixel(blocks(column), count, [&](const auto& source) {
+        if (source.present()) source.layer().over(*pixels);
+        ++pixels;
+      });
     }
   };
 

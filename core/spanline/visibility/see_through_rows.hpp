@@ -77,31 +77,25 @@ struct SeeThroughRows {
   static void run(std::uint32_t z, std::uint32_t dz, const Surface& surface, Columns columns, std::size_t at,
                   const Target& target, Fragments& fragments) {
     const bool blends = surface.blends();
-    std::uint32_t count = word(columns.end - columns.first);
+    const std::uint32_t count = word(columns.end - columns.first);
     if constexpr (Counting) {
       ++target.counters->spans;
       target.counters->depth_tests += count;
     }
-    auto walk = surface.blocks(columns.first);
-    for (;;) {
-      const std::uint32_t piece = walk.rest() < count ? walk.rest() : count;
-      auto source = walk.source();
-      for (std::uint32_t i = 0; i < piece; ++i, ++at, z += dz, source.forward()) {
-        const std::uint32_t candidate = Depth::stored(z);
-        if (!Depth::hides(candidate, target.depth[at]) || !source.present()) continue;
-        if constexpr (Counting) ++target.counters->pixels;
-        const auto depth = static_cast<typename Depth::Word>(candidate);
-        if (blends) {
-          fragments.add(at, depth, source.layer(), target.depth[at], target.pixels[at]);
-        } else {
-          target.depth[at] = depth;
-          target.pixels[at] = source.get();
-        }
+    for_each_pixel(surface.blocks(columns.first), count, [&](const auto& source) {
+      const std::uint32_t candidate = Depth::stored(z);
+      const std::size_t pixel = at++;
+      z += dz;
+      if (!Depth::hides(candidate, target.depth[pixel]) || !source.present()) return;
+      if constexpr (Counting) ++target.counters->pixels;
+      const auto depth = static_cast<typename Depth::Word>(candidate);
+      if (blends) {
+        fragments.add(pixel, depth, source.layer(), target.depth[pixel], target.pixels[pixel]);
+      } else {
+        target.depth[pixel] = depth;
+        target.pixels[pixel] = source.get();
       }
-      count -= piece;
-      if (count == 0) return;
-      walk.next();
-    }
+    });
   }
 };
 

@@ -127,5 +127,28 @@ TEST_F(ImportTest, FaultsNameTheFile) {
   }
 }
 
+TEST_F(ImportTest, OpacitiesOfMaterialsAreKeptByParts) {
+  make_file("a.mtl", "newmtl glass\nKd 0 0 1\nd 0.5\nnewmtl wood\nKd 1 0 0\n");
+  const std::string model = make_file("a.obj",
+                                      "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n"
+                                      "usemtl glass\nf 1 2 3\nusemtl wood\nf 2 4 3\nf 1 4 2\n");
+  const Scene scene = import_model(model);
+  EXPECT_TRUE(is_see_through(scene));
+  EXPECT_EQ(scene.parts, (std::vector<Scene::Part>{{0, 128}, {1, 255}}));
+}
+
+TEST_F(ImportTest, AlphaModesOfGltfSayWhatOpacityMeans) {
+  const auto opacity = [&](const std::string& mode) {
+    const std::string material =
+        R"({"pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 0.25]})" + (mode.empty() ? "" : ", " + mode) + "}";
+    return import_model(make_file("a.gltf", triangle_gltf("", material))).parts.at(0).opacity;
+  };
+  EXPECT_EQ(opacity(""), 255U);  // opaque is glTF's default
+  EXPECT_EQ(opacity(R"("alphaMode": "OPAQUE")"), 255U);
+  EXPECT_EQ(opacity(R"("alphaMode": "BLEND")"), 64U);
+  EXPECT_EQ(opacity(R"("alphaMode": "MASK")"), 0U);  // below the cut-off, one half
+  EXPECT_EQ(opacity(R"("alphaMode": "MASK", "alphaCutoff": 0.2)"), 255U);
+}
+
 }  // namespace
 }  // namespace spanline::sim::test

@@ -193,10 +193,9 @@ TEST_F(RefusalTest, WrongUsage) {
 TEST_F(RefusalTest, WhatIsNotAvailableYetSaysSo) {
   const std::string model = make_file("a.obj", cube_obj());
   const auto before = files();
-  std::vector<std::vector<std::string>> later{
-      {"--wireframe"},      {"--filter", "bilinear"},    {"--mipmap"},       {"--wrap", "clamp"},
-      {"--opacity", "0.5"}, {"--transparency", "blend"}, {"--samples", "4"}, {"--fog", "1,2,FFFFFF"},
-      {"--dither"},         {"--structure", "grid"}};
+  std::vector<std::vector<std::string>> later{{"--wireframe"},        {"--filter", "bilinear"}, {"--mipmap"},
+                                              {"--wrap", "clamp"},    {"--fog", "1,2,FFFFFF"},  {"--dither"},
+                                              {"--structure", "grid"}};
   for (const std::string name : {"painter", "depth-sort", "bsp", "bsp-front", "warnock", "weiler-atherton", "ray"})
     later.push_back({"--visibility", name});
   const auto check = [&](std::vector<std::string> arguments) {
@@ -212,6 +211,27 @@ TEST_F(RefusalTest, WhatIsNotAvailableYetSaysSo) {
   }
   check({"convert", model, "-o", in_folder("a.hpp"), "--bsp"});
   check({"convert", model, "-o", in_folder("a.hpp"), "--simplify", "10"});
+}
+
+TEST_F(RefusalTest, OptionsOfTransparencyMustMakeSense) {
+  const std::string model = make_file("a.obj", cube_obj());
+  const auto before = files();
+  const std::vector<std::vector<std::string>> wrong{
+      {"--opacity", "1.5"},
+      {"--opacity", "-0.1"},
+      {"--opacity", "glass"},
+      {"--transparency", "ghost"},
+      {"--samples", "4"},
+      {"--transparency", "blend", "--samples", "4"},
+      {"--transparency", "stochastic", "--samples", "5"},
+      {"--transparency", "stochastic", "--samples", "16", "--size", "512x100"},
+      {"--transparency", "stochastic", "--size", "100x1024"}};
+  for (const auto& options : wrong) {
+    SCOPED_TRACE(::testing::PrintToString(options));
+    std::vector<std::string> arguments{"render", model, "-o", in_folder("out.png")};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    expect_refused(run(arguments), 2, before);
+  }
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -24,6 +25,14 @@ class RenderTest : public ToolTest {
     EXPECT_EQ(result.exit_code, 0) << result.errors;
     EXPECT_EQ(result.errors, "");
     return read_png(in_folder(name));
+  }
+
+  /// Red glass before a blue wall, both over the whole picture's middle.
+  [[nodiscard]] std::string panes_obj(const std::string& opacity) const {
+    make_file("panes.mtl", "newmtl glass\nKd 1 0 0\nd " + opacity + "\nnewmtl wall\nKd 0 0 1\n");
+    return make_file("panes.obj",
+                     "mtllib panes.mtl\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\n"
+                     "v -1 1 0\nusemtl glass\nf 1 2 3 4\nusemtl wall\nf 5 6 7 8\n");
   }
 };
 
@@ -300,6 +309,73 @@ TEST_F(RenderTest, TheViewerDrawsIntoAWindow) {
   const Picture window = read_png(in_folder("w.png"));
   EXPECT_EQ(window.width % 160, 0);
   EXPECT_GT(window.at(window.width / 2, window.height / 2).red, 60);
+}
+
+/// The mean of the middle 16 × 16 pixels.
+std::array<double, 3> middle_of(const Picture& picture) {
+  std::array<double, 3> sum{};
+  for (int y = 16; y < 32; ++y)
+    for (int x = 24; x < 40; ++x) {
+      const Rgb888 pixel = picture.at(x, y);
+      sum[0] += pixel.red / 256.0;
+      sum[1] += pixel.green / 256.0;
+      sum[2] += pixel.blue / 256.0;
+    }
+  return sum;
+}
+
+TEST_F(RenderTest, GlassShowsWhatLiesBehindByEveryMethodAndAlgorithm) {
+  const std::string model = panes_obj("0.5");
+  for (const std::string method : {"blend", "screen-door", "stochastic"}) {
+    std::vector<Picture> pictures;
+    for (const std::string algorithm : {"zbuffer", "scanline-z", "span"})
+      pictures.push_back(render(model, with(front, {"--shade", "unlit", "--depth", "24", "--visibility", algorithm,
+                                                    "--transparency", method})));
+    EXPECT_EQ(pictures[1].pixels, pictures[0].pixels) << method;
+    EXPECT_EQ(pictures[2].pixels, pictures[0].pixels) << method;
+    const auto middle = middle_of(pictures[0]);
+    // Random patterns: 1,024 samples, whose share has a deviation of 1/64.
+    const double bound = method == "stochastic" ? 12 : 5;
+    EXPECT_NEAR(middle[0], 127.5, bound) << method;
+    EXPECT_NEAR(middle[1], 0, 1) << method;
+    EXPECT_NEAR(middle[2], 127.5, bound) << method;
+  }
+}
+
+TEST_F(RenderTest, OpacityMultipliesWhatMaterialsSay) {
+  const std::string model = panes_obj("0.5");
+  const Picture picture = render(model, with(front, {"--shade", "unlit", "--opacity", "0.5"}));
+  const auto middle = middle_of(picture);  // a quarter of red over half of blue over black
+  EXPECT_NEAR(middle[0], 255 * 0.25, 6);
+  EXPECT_NEAR(middle[2], 255 * 0.5 * 0.75, 6);
+  EXPECT_EQ(render(model, with(front, {"--opacity", "0"})).at(32, 24), (Rgb888{0, 0, 0}));
+}
+
+TEST_F(RenderTest, OpaqueModelsAreDrawnAlikeWhateverTheMethod) {
+  const std::string model = make_file("a.obj", cube_obj());
+  const Picture plain = render(model, front);
+  EXPECT_EQ(render(model, with(front, {"--transparency", "blend", "--opacity", "1"})).pixels, plain.pixels);
+  EXPECT_EQ(render(model, with(front, {"--transparency", "screen-door"})).pixels, plain.pixels);
+}
+
+TEST_F(RenderTest, SamplesSmoothEdges) {
+  const std::string model = make_file("a.obj", cube_obj());
+  const auto shades = [&](const std::vector<std::string>& options) {
+    std::set<int> reds;
+    for (const Rgb888 pixel : render(model, with(front, options)).pixels) reds.insert(pixel.red);
+    return reds.size();
+  };
+  // A square cube edge may fall between pixels: turned, it does not.
+  const std::vector<std::string> turned{"--up", "0.3,1,0", "--shade", "unlit"};
+  EXPECT_EQ(shades(turned), 2U);
+  for (const std::string samples : {"4", "8", "16"})
+    EXPECT_GT(shades(with(turned, {"--transparency", "stochastic", "--samples", samples})), 3U) << samples;
+}
+
+TEST_F(RenderTest, StochasticPicturesRepeat) {
+  const std::string model = panes_obj("0.4");
+  const std::vector<std::string> options = with(front, {"--transparency", "stochastic", "--samples", "8"});
+  EXPECT_EQ(render(model, options).pixels, render(model, options).pixels);
 }
 
 }  // namespace

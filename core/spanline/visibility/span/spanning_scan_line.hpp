@@ -273,19 +273,15 @@ class SpanningScanLine {
           const auto& surface = entry.surface.template as<typename Shader::Surface>();
           bool keeps_depth_of_others = false;
           if constexpr (SeeThrough<Shader>) keeps_depth_of_others = surface.blends();
-          auto walk = surface.blocks(begin);
-          for (std::int32_t column = begin; column < end; walk.next()) {
-            const std::int32_t piece_end =
-                std::min(end, column + signed_word(std::min(walk.rest(), word(end - column))));
-            auto source = walk.source();
-            for (; column < piece_end; ++column, source.forward()) {
-              if constexpr (SourceWithHoles<decltype(source)>) {
-                if (!source.present()) continue;
-              }
-              ++target.counters->pixels;
-              if (!keeps_depth_of_others) put_depth(polygon, column);
+          std::int32_t column = begin;
+          for_each_pixel(surface.blocks(begin), word(end - begin), [&]<class Source>(const Source& source) {
+            const std::int32_t here = column++;
+            if constexpr (SourceWithHoles<Source>) {
+              if (!source.present()) return;
             }
-          }
+            ++target.counters->pixels;
+            if (!keeps_depth_of_others) put_depth(polygon, here);
+          });
         }
       });
     }
