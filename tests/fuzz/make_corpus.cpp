@@ -22,7 +22,8 @@ int write_corpus(const std::string& folder) {
       Random random(seed);
       Scene scene = make(random);
       if (scene.triangles.size() > most) scene.triangles.resize(most);
-      const auto bytes = encode(scene, 1 + number % 16, static_cast<std::uint8_t>(number % 3 == 0 ? 8 : 0));
+      const auto bytes =
+          encode(scene, 1 + number % 16, static_cast<std::uint8_t>(number % 3 == 0 ? 8 : 0), number % 2 == 1);
       std::ofstream file(folder + "/" + std::to_string(number), std::ios::binary);
       file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
       if (!file.flush()) return 1;

@@ -70,12 +70,21 @@ Corners triangle(Reader& reader, const std::vector<Corners>& earlier) {
 /// With too few records: what is drawn is right, and the status leads on.
 std::string starved_fault(const Case& drawn, const sim::VisibilityEntry& entry, const contract::Drawing& want) {
   contract::Manner manner = drawn.manner;
+  const bool layers = manner.content == contract::Manner::Content::layers;
   manner.active = drawn.active;
+  if (layers) manner.layers = drawn.active;
   const contract::Drawing got = contract::draw(entry, drawn.scene, manner);
   if (got.shades_once && got.counters.shaded != drawn.scene.pixel_count()) return "not every pixel once";
   if (got.status.ok()) return contract::difference(want, got);
+  if (layers && got.status.pool == Pool::layers) {
+    manner.active.reset();
+    manner.layers = got.status.wanted;
+    const contract::Drawing fed = contract::draw(entry, drawn.scene, manner);
+    return fed.status.ok() ? contract::difference(want, fed) : "the size that was named for layers is not enough";
+  }
   if (got.status.pool != Pool::active) return "a status that names another pool";
-  if (contract::garbage_pixels(drawn.scene, got) != 0) return "garbage where the pool ran full";
+  if (layers) manner.layers.reset();
+  if (!layers && contract::garbage_pixels(drawn.scene, got) != 0) return "garbage where the pool ran full";
   manner.active = got.status.wanted;
   const contract::Drawing fed = contract::draw(entry, drawn.scene, manner);
   return fed.status.ok() ? contract::difference(want, fed) : "the size that was named is not enough";
@@ -90,19 +99,22 @@ Case decode(std::span<const std::uint8_t> bytes) {
   drawn.scene.height = 1 + reader.byte() % most_rows;
   drawn.manner.band_lines = 1 + reader.byte() % drawn.scene.height;
   drawn.active = static_cast<std::uint8_t>(reader.byte());
-  if ((reader.byte() & 1) != 0) drawn.manner.sense = DepthSense::larger_is_nearer;
+  const int choice = reader.byte();
+  if ((choice & 1) != 0) drawn.manner.sense = DepthSense::larger_is_nearer;
+  if ((choice & 2) != 0) drawn.manner.content = contract::Manner::Content::layers;
   std::vector<Corners>& triangles = drawn.scene.triangles;
   while (!reader.empty() && triangles.size() < most_triangles) triangles.push_back(triangle(reader, triangles));
   return drawn;
 }
 
-std::vector<std::uint8_t> encode(const contract::Scene& scene, int band_lines, std::uint8_t active) {
+std::vector<std::uint8_t> encode(const contract::Scene& scene, int band_lines, std::uint8_t active, bool layers) {
   std::vector<std::uint8_t> bytes(header_bytes);
   const auto byte = [](int value) { return static_cast<std::uint8_t>(value); };
   bytes[0] = byte(std::min(scene.width, most_columns) - 1);
   bytes[1] = byte(std::min(scene.height, most_rows) - 1);
   bytes[2] = byte(band_lines - 1);
   bytes[3] = active;
+  bytes[4] = layers ? 2 : 0;
   for (const Corners& t : scene.triangles) {
     bytes.push_back(wide);
     for (const Corner& c : t)
@@ -117,7 +129,9 @@ std::string fault_in(const Case& drawn) {
   const contract::Drawing want = contract::reference(scene, drawn.manner);
   std::string fault;
   constexpr std::size_t brute_work = 30'000;  // pixels × triangles that take no longer than the rest
-  if (drawn.manner.sense == DepthSense::smaller_is_nearer && scene.triangles.size() * scene.pixel_count() < brute_work)
+  const bool ids = drawn.manner.content == contract::Manner::Content::ids;
+  if (ids && drawn.manner.sense == DepthSense::smaller_is_nearer &&
+      scene.triangles.size() * scene.pixel_count() < brute_work)
     fault = contract::difference(contract::brute_force(scene), want);
   if (!fault.empty()) return "the reference: " + fault + "\n" + contract::text_of(scene);
   for (const sim::VisibilityEntry& entry : contract::algorithms()) {

@@ -10,7 +10,8 @@ namespace spanline::fuzz {
 
 /// A polygon table and how to draw it, as a fuzzer's bytes say. Any bytes mean something.
 ///
-///     width − 1, height − 1, band lines − 1, active polygons (0: room for all), flags (bit 0: larger is nearer)
+///     width − 1, height − 1, band lines − 1, active polygons (0: room for all), flags (bit 0: larger is
+///     nearer; bit 1: layers, contract/layers.hpp)
 ///     then triangle after triangle, an opcode and what it takes (16-bit numbers: low byte first):
 ///     0  three corners: x, y (16 bits, sixteenths, signed), z (24 bits)
 ///     1  three corners: x, y (whole pixels from −64 on), z (the top byte); bits 2 and 3 of the opcode put x and y on
@@ -32,7 +33,8 @@ inline constexpr std::size_t most_triangles = 300;
 [[nodiscard]] Case decode(std::span<const std::uint8_t> bytes);
 
 /// Bytes that decode to the scene's triangles, on a picture as large as it can be.
-[[nodiscard]] std::vector<std::uint8_t> encode(const contract::Scene& scene, int band_lines, std::uint8_t active);
+[[nodiscard]] std::vector<std::uint8_t> encode(const contract::Scene& scene, int band_lines, std::uint8_t active,
+                                               bool layers = false);
 
 /// Draws the case by all exact algorithms at once. What is wrong, or nothing.
 [[nodiscard]] std::string fault_in(const Case& drawn);

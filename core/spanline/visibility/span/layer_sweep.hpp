@@ -72,17 +72,21 @@ class LayerSweep {
     return stop;
   }
 
-  /// Sorts the open layers, the farthest first. They are nearly so from the piece before: each is inserted at or near
-  /// the head of a list with the nearest first, which is then turned round.
+  /// Sorts the open layers, the farthest first. They are nearly so from the piece before, or nearly the other way round
+  /// where many begin at once: each is inserted near the one before it or at the head of a list with the nearest first,
+  /// which is then turned round.
   void sort(std::int32_t column) {
-    AwakePolygon* nearest = nullptr;
+    AwakePolygon *nearest = nullptr, *last = nullptr;
     while (open_ != nullptr) {
       AwakePolygon* const polygon = open_;
       open_ = polygon->next;
       AwakePolygon** link = &nearest;
-      while (*link != nullptr && order_.in_front(**link, *polygon, column)) link = &(*link)->next;
+      if (last != nullptr && order_.in_front(*last, *polygon, column)) link = &last->next;
+      const bool before_all = last == nearest && link == &nearest;
+      if (!before_all)
+        while (*link != nullptr && order_.in_front(**link, *polygon, column)) link = &(*link)->next;
       polygon->next = *link;
-      *link = polygon;
+      *link = last = polygon;
     }
     while (nearest != nullptr) {
       AwakePolygon* const polygon = nearest;
