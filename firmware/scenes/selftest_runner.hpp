@@ -36,6 +36,7 @@ struct Layout {
     wanted.band_lines = band;
     if (std::is_same_v<typename Traits::Visibility, Spanning>) {
       wanted.active = scene.awake;
+      if (wanted.layers != 0) wanted.layers = scene.awake;
       return wanted;
     }
     if (band == wanted.height) {
@@ -131,6 +132,12 @@ constexpr auto with_traits(SelftestRenderer renderer, F&& f) {
       return call<Memory, span_flat, FlatTraits<Rgb565, Depth24<>, false, Spanning>>(f);
     case span_full:
       return call<Memory, span_full, FullTraits<Rgb565, Depth24<>, false, Spanning>>(f);
+    case layers_16:
+      return call<Memory, layers_16, SeeThroughTraits<Rgb565, Depth16<>>>(f);
+    case layers_24:
+      return call<Memory, layers_24, SeeThroughTraits<Rgb565, Depth24<>>>(f);
+    case span_layers:
+      return call<Memory, span_layers, SeeThroughTraits<Rgb565, Depth24<>, false, Spanning>>(f);
     case full_24_larger:
       break;
   }

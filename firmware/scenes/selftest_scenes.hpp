@@ -176,6 +176,19 @@ inline void build_mixture(const SelftestRequest& request, SelftestContent& conte
   content.add(prisms, behind, {});
 }
 
+/// The mixture, of glass but for one of its four meshes.
+inline void build_glass(const SelftestRequest& request, SelftestContent& content) {
+  build_mixture(request, content);
+  content.settings.cull = Cull::none;
+  const auto glaze = [&](std::size_t instance, std::uint8_t opacity, Transparency transparency) {
+    content.instances[instance].material.opacity = opacity;
+    content.instances[instance].material.transparency = transparency;
+  };
+  glaze(0, 110, Transparency::blend);
+  glaze(2, 150, Transparency::add);
+  glaze(3, 180, Transparency::screen_door);
+}
+
 /// What culling normally leaves out.
 inline void build_inside_out(const SelftestRequest& request, SelftestContent& content) {
   build_mesh<torus, ShadingMode::flat>(request, content);

@@ -19,16 +19,21 @@ enum class SelftestRenderer : std::uint8_t {
   full_24_larger,  ///< the same, and larger depth is nearer
   span_flat,       ///< spanning scan line, flat shading alone, 24 bits
   span_full,       ///< spanning scan line, flat and Gouraud shading, 24 bits
+  layers_16,       ///< flat and Gouraud shading, opaque and see-through, 16-bit depth
+  layers_24,       ///< the same, 24-bit depth
+  span_layers,     ///< the same by spanning scan line, 24 bits
 };
 
 /// The renderer as lines of the self-test name it, in the column of the depth.
 [[nodiscard]] constexpr const char* to_string(SelftestRenderer renderer) {
-  constexpr const char* names[] = {"16-flat", "16-flat-larger", "16", "16-swapped", "24", "24-larger", "24-flat", "24"};
+  constexpr const char* names[] = {"16-flat", "16-flat-larger", "16",        "16-swapped", "24", "24-larger", "24-flat",
+                                   "24",      "16-layers",      "24-layers", "24-layers"};
   return names[static_cast<unsigned>(renderer)];
 }
 
 [[nodiscard]] constexpr bool is_spanning(SelftestRenderer renderer) {
-  return renderer == SelftestRenderer::span_flat || renderer == SelftestRenderer::span_full;
+  return renderer == SelftestRenderer::span_flat || renderer == SelftestRenderer::span_full ||
+         renderer == SelftestRenderer::span_layers;
 }
 
 /// One drawing of a scene.
@@ -46,7 +51,7 @@ struct SelftestScene {
   std::uint32_t soup_triangles;  ///< given on screen
   Pool starved;                  ///< the pool that is too small for it, on purpose
   std::array<SelftestRun, 10> runs;
-  std::uint32_t awake = 0;  ///< polygons awake at once: the active pool of spanning runs
+  std::uint32_t awake = 0;  ///< polygons awake at once: the active pool of spanning runs, and that of layers
 };
 
 namespace selftest_detail {
@@ -322,6 +327,26 @@ inline constexpr SelftestScene scenes[] = {
      Pool::none,
      {{{full_24, 120, 117848}, {span_flat, 1, 5760}}},
      24},
+    // What lies behind shows: by mixing, by patterns, by adding.
+    {"glass",
+     build_glass,
+     {.width = 320,
+      .height = 240,
+      .instances = 4,
+      .vertices = 930,
+      .shades = 864,
+      .polygons = 2000,
+      .fans = 112,
+      .active = 276,
+      .layers = 9700},
+     0,
+     Pool::none,
+     {{{layers_16, 16, 172672},
+       {layers_24, 16, 221712},
+       {layers_24, 7, 192952},
+       {span_layers, 1, 91128},
+       {span_layers, 16, 110328}}},
+     240},
     {"prisms-small",
      build_prisms,
      {.width = 128, .height = 128, .vertices = 66, .polygons = 56, .fans = 56, .active = 24},
@@ -363,6 +388,20 @@ inline constexpr SelftestScene scenes[] = {
      Pool::active,
      {{{full_16, 1, 8264}, {full_16, 2, 8904}, {full_24, 1, 8520}, {span_full, 1, 8224}}},
      12},
+    {"no-room-layers",
+     build_glass,
+     {.width = 128,
+      .height = 128,
+      .instances = 4,
+      .vertices = 930,
+      .shades = 864,
+      .polygons = 2000,
+      .fans = 112,
+      .active = 276,
+      .layers = 300},
+     0,
+     Pool::layers,
+     {{{layers_16, 16, 72880}, {layers_24, 1, 59216}}}},
     {"no-room-vertices",
      build_chain,
      {.width = 128, .height = 128, .instances = 2, .vertices = 400, .shades = 288, .polygons = 528, .active = 68},
