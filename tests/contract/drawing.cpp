@@ -76,7 +76,7 @@ Drawing draw_once(const Scene& scene, const Manner& manner, std::uint32_t layers
     }
     studio.add(*part.mesh, part.transform, material);
   }
-  const auto picture = studio.draw();
+  const auto picture = manner.two_cores ? studio.draw_on_two_cores() : studio.draw();
   Drawing drawing;
   drawing.width = scene.width;
   drawing.height = scene.height;
@@ -84,7 +84,8 @@ Drawing draw_once(const Scene& scene, const Manner& manner, std::uint32_t layers
   if constexpr (Traits::statistics) drawing.depths.assign(picture.depth.begin(), picture.depth.end());
   drawing.counters = studio.statistics().visibility;
   drawing.status = studio.status();
-  drawing.shades_once = Traits::statistics && std::is_same_v<typename Traits::Visibility, Spanning>;
+  drawing.shades_once =
+      Traits::statistics && !manner.two_cores && std::is_same_v<typename Traits::Visibility, Spanning>;
   return drawing;
 }
 

@@ -24,6 +24,7 @@ struct Manner {
   Content content = Content::ids;
   DepthSense sense = DepthSense::smaller_is_nearer;
   int band_lines = 0;                        ///< 0: the whole picture at once
+  bool two_cores = false;                    ///< by two threads, each every second band
   std::optional<std::uint32_t> active = {};  ///< room for active polygons; all of them if not said
   std::optional<std::uint32_t> layers = {};  ///< room for layers; as many as it takes if not said
 };

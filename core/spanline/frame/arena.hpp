@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <new>
 #include <span>
 
@@ -13,6 +15,11 @@ class Arena {
 
   constexpr Arena() = default;
   explicit Arena(std::span<std::byte> memory) : memory_(memory) {}
+  /// Over the part of `memory` that begins at a multiple of the alignment.
+  [[nodiscard]] static Arena aligned(std::span<std::byte> memory) {
+    const std::size_t misaligned = reinterpret_cast<std::uintptr_t>(memory.data()) % alignment;
+    return Arena(memory.subspan(misaligned == 0 ? 0 : std::min(alignment - misaligned, memory.size())));
+  }
 
   /// `count` objects of T, or an empty span where memory has run out; size() tells what was wanted.
   template <class T>
@@ -27,6 +34,8 @@ class Arena {
   }
 
   [[nodiscard]] constexpr std::size_t size() const { return used_; }
+  /// Whether more was wanted than there is.
+  [[nodiscard]] constexpr bool overrun() const { return used_ > memory_.size(); }
 
  private:
   std::span<std::byte> memory_{};

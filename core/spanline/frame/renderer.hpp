@@ -5,17 +5,19 @@
 #include <span>
 
 #include "spanline/frame/arena.hpp"
+#include "spanline/frame/band_drawer.hpp"
 #include "spanline/frame/capacity.hpp"
 #include "spanline/frame/status.hpp"
 #include "spanline/frame/traits.hpp"
 #include "spanline/geometry/instance.hpp"
 #include "spanline/geometry/polygon_assembly.hpp"
 #include "spanline/model/camera.hpp"
-#include "spanline/shade/fill_constant.hpp"
 #include "spanline/shade/lighting.hpp"
-#include "spanline/visibility/algorithm.hpp"
 
 namespace spanline {
+
+template <class Traits>
+class BandPartner;
 
 /// What a frame shows besides its instances.
 struct FrameSettings {
@@ -24,15 +26,6 @@ struct FrameSettings {
   Rgb888 background{0, 0, 0};
   Cull cull = Cull::back;
   std::uint8_t stipple_seed = 0;  ///< [0, 127]: of materials that are seen through by random patterns
-};
-
-/// A finished band of lines, as the sink gets it.
-template <class Pixel, class DepthWord>
-struct Band {
-  std::int32_t y0, y1;               ///< lines [y0, y1) of the picture
-  std::span<Pixel> pixels;           ///< line by line, width · (y1 − y0)
-  std::span<const DepthWord> depth;  ///< parallel to the pixels; empty where the algorithm keeps none
-  unsigned buffer;                   ///< which of the colour bands holds it, counted from 0
 };
 
 /// Numbers of a frame (design: the lectures' sets P, F, B; and what visibility did, where the traits count it).
@@ -58,7 +51,7 @@ class Renderer {
   using Format = typename Traits::Format;
   using Pixel = typename Format::Pixel;
   using Shaders = typename Traits::Shaders;
-  using BandView = Band<Pixel, DepthWord>;
+  using BandView = typename BandDrawer<Traits>::BandView;
 
   /// Bytes that a configuration takes of the caller's memory, alignment included.
   [[nodiscard]] static constexpr std::size_t bytes_needed(const Capacity& capacity) {
@@ -77,11 +70,9 @@ class Renderer {
       status_ = {Fault::bad_configuration, Pool::none, 0};
       return;
     }
-    const std::size_t misaligned = reinterpret_cast<std::uintptr_t>(memory.data()) % Arena::alignment;
-    const std::size_t skipped = misaligned == 0 ? 0 : std::min(Arena::alignment - misaligned, memory.size());
-    Arena arena(memory.subspan(skipped));
+    Arena arena = Arena::aligned(memory);
     pools_.take(arena, capacity);
-    if (arena.size() > memory.size() - skipped) {
+    if (arena.overrun()) {
       status_ = {Fault::pool_full, Pool::memory, static_cast<std::uint32_t>(bytes_needed(capacity))};
       return;
     }
@@ -89,7 +80,7 @@ class Renderer {
     table_.fans = pools_.fans;
     table_.groups = pools_.groups;
     table_.buckets = pools_.buckets;
-    visibility_ = Visibility(pools_.visibility);
+    drawer_ = BandDrawer<Traits>(capacity, pools_.bands);
     bucket_of_row_ = BandOfRow(Visibility::bucket_lines(capacity));
   }
 
@@ -193,61 +184,38 @@ class Renderer {
   /// With statistics, `sink.covered(id)` is told of every triangle that covers a pixel centre, where the sink has it.
   template <class Sink>
   Status draw(Sink&& sink) {
-    if (!ready_) return status_.ok() ? Status{Fault::bad_settings, Pool::none, 0} : status_;
-    start_bands();
-    for (std::uint32_t band = 0; band < capacity_.bands(); ++band) {
-      if constexpr (requires { sink.acquire(0u); }) {
-        if (!sink.acquire(buffer_of(band))) return {Fault::sink_failed, Pool::none, 0};
-      }
-      clear_band(band);
-      const BandView view = draw_band(band, sink);
-      if (!sink(view)) return {Fault::sink_failed, Pool::none, 0};
-    }
-    return end_bands();
+    return draw_share(BandShare::all, sink);
+  }
+  /// Draws the bands 0, 2, 4, … alone, while a BandPartner draws the others.
+  template <class Sink>
+  Status draw_even(Sink&& sink) {
+    return draw_share(BandShare::even, sink);
   }
 
-  /// The steps of `draw`, for programs with a loop of their own (benchmarks, two cores): start, then for each band in
-  /// order clear and draw, then end.
-  void start_bands() { visibility_.begin_frame(); }
-  void clear_band(std::uint32_t band) {
-    visibility_.clear(target(band_view(band)),
-                      [](auto value, std::uint32_t count, auto* words) { fill_constant(value, count, words); });
-  }
+  /// The steps of `draw`, for programs with a loop of their own (benchmarks): start, then for each band in order clear
+  /// and draw, then end.
+  void start_bands() { drawer_.start(BandShare::all); }
+  void clear_band(std::uint32_t band) { drawer_.clear_band(scene(), band); }
   template <class Sink>
   BandView draw_band(std::uint32_t band, Sink& sink) {
-    const BandView view = band_view(band);
-    visibility_.draw_band(table_, std::span<const ShadingGroup>(pools_.shading), static_cast<std::int32_t>(band),
-                          viewport(), target(view), [&](std::uint32_t id) {
-                            if constexpr (requires { sink.covered(id); }) sink.covered(id);
-                          });
-    return view;
+    return drawer_.draw_band(scene(), band, sink);
   }
   Status end_bands() {
     note_peaks();
-    first_buffer_ = buffer_of(capacity_.bands());
-    if (visibility_.overflowed())
-      return {Fault::pool_full, Pool::active, Visibility::wanted(table_, viewport(), capacity_.band_lines)};
-    if constexpr (Shaders::see_through) {
-      if (visibility_.layers_overflowed()) return {Fault::pool_full, Pool::layers, visibility_.layers_wanted()};
-    }
-    return {};
+    return drawer_.end(scene());
   }
 
   /// The memory of a colour band, counted from 0, for present loops that hand it to a display; empty where the band
   /// does not exist. Frames use them in turn; with three and more the next frame goes on where the last one ended.
-  [[nodiscard]] std::span<Pixel> colour_band(unsigned buffer) const {
-    const std::size_t start = std::size_t{buffer} * Pools::colour_stride(capacity_);
-    if (start >= pools_.colour.size()) return {};
-    return pools_.colour.subspan(start, std::size_t{capacity_.width} * capacity_.band_lines);
-  }
+  [[nodiscard]] std::span<Pixel> colour_band(unsigned buffer) const { return drawer_.colour_band(buffer); }
   [[nodiscard]] const Statistics& statistics() const { return statistics_; }
   /// Of the last frame that was drawn.
   [[nodiscard]] const PoolPeaks& peaks() const { return peaks_; }
   [[nodiscard]] const Capacity& capacity() const { return capacity_; }
 
  private:
-  using Visibility = typename Traits::Visibility::template Algorithm<Depth, Pixel, Shaders, Traits::statistics>;
-  static_assert(VisibilityAlgorithm<Visibility, Arena, Capacity>);
+  friend class BandPartner<Traits>;
+  using Visibility = typename BandDrawer<Traits>::Visibility;
   static constexpr bool has_ramps = Shaders::template index_of<GouraudShader<Format>> < Shaders::count;
   static constexpr bool has_shades =
       has_ramps || Shaders::template index_of<GouraudColourShader<Format>> < Shaders::count;
@@ -266,18 +234,9 @@ class Renderer {
     std::span<PolygonReference> references;
     std::span<FanTriangle> fans;
     std::span<Link> buckets;
-    typename Visibility::Memory visibility;
-    std::span<DepthWord> depth;
-    std::span<Pixel> colour;  ///< all bands
-
-    /// Pixels from one colour band to the next: each begins as the arena would let it begin.
-    static constexpr std::size_t colour_stride(const Capacity& c) {
-      constexpr std::size_t pixels_a_step = std::max<std::size_t>(Arena::alignment / sizeof(Pixel), 1);
-      return (std::size_t{c.width} * c.band_lines + pixels_a_step - 1) / pixels_a_step * pixels_a_step;
-    }
+    typename BandDrawer<Traits>::Pools bands;
 
     constexpr void take(Arena& arena, const Capacity& c) {
-      const std::size_t band_pixels = std::size_t{c.width} * c.band_lines;
       groups = arena.take<PolygonGroup>(c.instances);
       shading = arena.take<ShadingGroup>(c.instances);
       ramps = arena.take<std::uint16_t>(has_ramps ? c.instances * gouraud::ramp_size : 0);
@@ -287,11 +246,8 @@ class Renderer {
       textured = arena.take<TexturedGroup>(has_textures ? c.instances : 0);
       references = arena.take<PolygonReference>(c.polygons);
       fans = arena.take<FanTriangle>(c.fans);
-      const std::uint32_t bucket_lines = std::max<std::uint32_t>(1, Visibility::bucket_lines(c));
-      buckets = arena.take<Link>((c.height + bucket_lines - 1) / bucket_lines);
-      visibility.take(arena, c);
-      depth = arena.take<DepthWord>(Visibility::keeps_depth ? band_pixels : 0);
-      colour = arena.take<Pixel>(colour_stride(c) * c.colour_bands);
+      buckets = arena.take<Link>(bucket_count(c));
+      bands.take(arena, c);
     }
   };
 
@@ -303,11 +259,6 @@ class Renderer {
   };
 
   [[nodiscard]] Viewport viewport() const { return {capacity_.width, capacity_.height}; }
-  /// Up to two bands go without the remainder, which costs Cortex-M0+ a call a band.
-  [[nodiscard]] unsigned buffer_of(std::uint32_t band) const {
-    if (capacity_.colour_bands <= 2) return band & (capacity_.colour_bands - 1u);
-    return (first_buffer_ + band) % capacity_.colour_bands;
-  }
   [[nodiscard]] static bool needs_shades(const Material& material) {
     return has_shades && material.shading == ShadingMode::gouraud;
   }
@@ -318,16 +269,22 @@ class Renderer {
            (camera.projection == Projection::orthographic || camera.near_plane.raw() > 0);
   }
 
-  [[nodiscard]] BandView band_view(std::uint32_t band) const {
-    const auto y0 = static_cast<std::int32_t>(band * capacity_.band_lines);
-    const std::int32_t y1 = std::min<std::int32_t>(y0 + capacity_.band_lines, capacity_.height);
-    const std::size_t count = std::size_t{capacity_.width} * static_cast<std::size_t>(y1 - y0);
-    const unsigned buffer = buffer_of(band);
-    return {y0, y1, colour_band(buffer).first(count), pools_.depth.first(Visibility::keeps_depth ? count : 0), buffer};
+  /// Buckets of the polygon table.
+  [[nodiscard]] static constexpr std::uint32_t bucket_count(const Capacity& c) {
+    const std::uint32_t lines = std::max<std::uint32_t>(1, Visibility::bucket_lines(c));
+    return (c.height + lines - 1) / lines;
   }
-  [[nodiscard]] typename Visibility::Target target(const BandView& view) {
-    return {pools_.depth.data(), view.pixels.data(), capacity_.width,        view.y0 + row_bias,
-            view.y1 + row_bias,  background_,        &statistics_.visibility};
+
+  [[nodiscard]] BandScene<Pixel> scene() { return scene(table_, statistics_.visibility); }
+  [[nodiscard]] BandScene<Pixel> scene(PolygonTable& table, VisibilityCounters& counters) const {
+    return {table, pools_.shading, background_, &counters};
+  }
+  template <class Sink>
+  Status draw_share(BandShare share, Sink& sink) {
+    if (!ready_) return status_.ok() ? Status{Fault::bad_settings, Pool::none, 0} : status_;
+    const Status drawn = drawer_.draw(scene(), share, sink);
+    if (drawn.fault != Fault::sink_failed) note_peaks();
+    return drawn;
   }
 
   /// Counts what does not fit, and says what would.
@@ -426,13 +383,13 @@ class Renderer {
         used_.textures * sizeof(TextureVertex) + (has_textures ? table_.group_count * sizeof(TexturedGroup) : 0);
     peaks_.polygons = table_.polygon_count * sizeof(PolygonReference);
     peaks_.fans = table_.fan_count * sizeof(FanTriangle);
-    peaks_.active = Visibility::Memory::bytes(visibility_.peak());
+    peaks_.active = Visibility::Memory::bytes(drawer_.visibility().peak());
     if constexpr (Shaders::see_through)
-      peaks_.layers =
-          Visibility::Memory::layer_bytes(std::min<std::size_t>(visibility_.layers_wanted(), capacity_.layers));
+      peaks_.layers = Visibility::Memory::layer_bytes(
+          std::min<std::size_t>(drawer_.visibility().layers_wanted(), capacity_.layers));
     peaks_.buckets = pools_.buckets.size_bytes();
-    peaks_.colour_bands = pools_.colour.size_bytes();
-    peaks_.depth_band = Visibility::tests_depth ? pools_.depth.size_bytes() : 0;
+    peaks_.colour_bands = pools_.bands.colour.size_bytes();
+    peaks_.depth_band = Visibility::tests_depth ? pools_.bands.depth.size_bytes() : 0;
   }
 
   Capacity capacity_;
@@ -444,9 +401,8 @@ class Renderer {
   FrameSettings settings_{};
   Pixel background_{};
   FrameView view_{};
-  Visibility visibility_{};
+  BandDrawer<Traits> drawer_{};
   Used used_{};
-  unsigned first_buffer_ = 0;  ///< colour band that the frame's first band of lines goes to
   Statistics statistics_{};
   PoolPeaks peaks_{};
 };

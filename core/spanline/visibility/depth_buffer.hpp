@@ -10,6 +10,7 @@
 #include "spanline/visibility/active_need.hpp"
 #include "spanline/visibility/fragment_lists.hpp"
 #include "spanline/visibility/see_through_rows.hpp"
+#include "spanline/visibility/skip_rows.hpp"
 #include "spanline/visibility/triangle_rows.hpp"
 
 namespace spanline {
@@ -42,7 +43,7 @@ class DepthBuffer {
   using Layers = SeeThroughRows<Depth, Pixel, Fragments, Counting>;
   using Bounds = std::conditional_t<Bounded, DepthBounds<Depth>, NoDepthBounds>;
 
-  static constexpr bool keeps_depth = true, tests_depth = true;
+  static constexpr bool keeps_depth = true, tests_depth = true, takes_table_apart = false;
 
   /// The memory of the algorithm, cut off an arena: polygons that cross a band's lower edge; none are needed where
   /// there is one band.
@@ -103,32 +104,16 @@ class DepthBuffer {
   void draw_band(const PolygonTable& table, std::span<const ShadingGroup> shading, std::int32_t band, Viewport viewport,
                  const Target& whole_target, Covered&& covered) {
     const TargetWithBounds target = with_bounds(whole_target);
-    Job<ShadingGroup> job{.table = table,
-                          .shading = shading.data(),
-                          .group = table.groups.data(),
-                          .viewport = viewport,
-                          .target = target,
-                          .group_end = 0,
-                          .triangle = {}};
-    job.find_group_end();
-    BucketCursor starting(table, band);
-    Link* link = &active_;
-    for (;;) {
-      const Link continuing = *link == no_link ? no_link : pool_[*link].polygon;
-      const Link beginning = starting.polygon();
-      if (beginning < continuing) {
-        starting.advance();
-        job.find_group(beginning);
-        begin(job, beginning, link, covered);
-      } else if (continuing != no_link) {
-        job.find_group(continuing);
-        go_on(job, link);
-      } else {
-        break;
-      }
-    }
+    walk_band<true>(table, shading, band, viewport, target, covered);
     fragments_.finish_band(target.depth, target.pixels,
                            static_cast<std::size_t>(target.width * (target.end_row - target.first_row)));
+  }
+
+  /// Steps over a band that somebody else draws; of its target, rows and width count.
+  template <class ShadingGroup>
+  void skip_band(const PolygonTable& table, std::span<const ShadingGroup> shading, std::int32_t band, Viewport viewport,
+                 const Target& target) {
+    walk_band<false>(table, shading, band, viewport, target, [](std::uint32_t) {});
   }
 
   /// Whether polygons had to be cut off at a band's edge because the pool was full.
@@ -153,6 +138,36 @@ class DepthBuffer {
       return copy;
     } else {
       return target;
+    }
+  }
+
+  /// Merges the polygons that came in from the band above with those that begin here, in order of submission.
+  template <bool Drawn, class ShadingGroup, class Covered>
+  [[gnu::always_inline]] void walk_band(const PolygonTable& table, std::span<const ShadingGroup> shading,
+                                        std::int32_t band, Viewport viewport, const Target& target, Covered&& covered) {
+    Job<ShadingGroup> job{.table = table,
+                          .shading = shading.data(),
+                          .group = table.groups.data(),
+                          .viewport = viewport,
+                          .target = target,
+                          .group_end = 0,
+                          .triangle = {}};
+    job.find_group_end();
+    BucketCursor starting(table, band);
+    Link* link = &active_;
+    for (;;) {
+      const Link continuing = *link == no_link ? no_link : pool_[*link].polygon;
+      const Link beginning = starting.polygon();
+      if (beginning < continuing) {
+        starting.advance();
+        job.find_group(beginning);
+        begin<Drawn>(job, beginning, link, covered);
+      } else if (continuing != no_link) {
+        job.find_group(continuing);
+        go_on<Drawn>(job, link);
+      } else {
+        break;
+      }
     }
   }
 
@@ -181,9 +196,13 @@ class DepthBuffer {
     }
   };
 
-  template <class ShadingGroup, class Covered>
+  template <bool Drawn, class ShadingGroup, class Covered>
   void begin(Job<ShadingGroup>& job, Link polygon, Link*& link, Covered& covered) {
     const PolygonCorners corners = job.table.corners(*job.group, polygon);
+    if constexpr (!Drawn) {
+      const auto [p, q, r] = corners.corner;
+      if (row_at(std::max({p->y, q->y, r->y})) <= job.target.end_row) return;
+    }
     Shaders::with(job.shading->shader, [&]<class Shader>() {
       typename Shader::Surface surface;
       const auto [a, b, c] = corners.corner;
@@ -195,19 +214,22 @@ class DepthBuffer {
         if (!activate_plain(a, b, c, job)) return;
         Shader::make(surface, *job.shading, corners);
       }
-      if constexpr (Counting) {
+      if constexpr (Counting && Drawn) {
         if (covers_pixels(job.triangle, corners, job.viewport)) covered(job.shading->first_id + corners.triangle);
       }
-      if (draw_rows<Shader>(job.triangle, surface, job.target, [&] { return job.table.corners(*job.group, polygon); }))
+      if (pass_rows<Drawn, Shader>(job.triangle, surface, job.target,
+                                   [&] { return job.table.corners(*job.group, polygon); }))
         keep(job.triangle, surface, polygon, link);
     });
   }
 
-  /// The rows of a polygon that lie in the band. True if it goes on below.
-  template <class Shader, class CornersOf>
-  [[gnu::always_inline]] bool draw_rows(ActiveTriangle& triangle, typename Shader::Surface& surface,
+  /// Draws the rows of a polygon that lie in the band, or steps over them. True if it goes on below.
+  template <bool Drawn, class Shader, class CornersOf>
+  [[gnu::always_inline]] bool pass_rows(ActiveTriangle& triangle, typename Shader::Surface& surface,
                                         const Target& target, CornersOf corners_of) {
-    if constexpr (SeeThrough<Shader>) {
+    if constexpr (!Drawn) {
+      return skip_rows(triangle, surface, target.end_row, corners_of);
+    } else if constexpr (SeeThrough<Shader>) {
       if constexpr (Bounded)
         target.bounds->touch(triangle.row - target.first_row,
                              std::min(triangle.end_row(), target.end_row) - triangle.row);
@@ -240,12 +262,12 @@ class DepthBuffer {
   }
 
   /// Draws the active polygon at *link, and moves on to the next one; takes it out of the list where it ends.
-  template <class ShadingGroup>
+  template <bool Drawn, class ShadingGroup>
   void go_on(Job<ShadingGroup>& job, Link*& link) {
     Entry& entry = pool_[*link];
     const bool goes_on = Shaders::with(job.shading->shader, [&]<class Shader>() {
-      return draw_rows<Shader>(entry.triangle, entry.surface.template as<typename Shader::Surface>(), job.target,
-                               [&] { return job.table.corners(*job.group, entry.polygon); });
+      return pass_rows<Drawn, Shader>(entry.triangle, entry.surface.template as<typename Shader::Surface>(), job.target,
+                                      [&] { return job.table.corners(*job.group, entry.polygon); });
     });
     if (goes_on) {
       link = &entry.next;
@@ -293,16 +315,7 @@ class DepthBuffer {
   static bool step_row(ActiveTriangle& triangle, const PolygonCorners& corners, std::int32_t& first,
                        std::int32_t& end) {
     if (triangle.rows_to_bend == 0 && !triangle.flags.bent()) {
-      triangle.flags.set_bent();
-      if (triangle.flags.size() == ActiveTriangle::Size::large) {
-        bend_large(corners, triangle);
-      } else if (triangle.flags.right_bends()) {
-        triangle.fixed.right = triangle.fixed.bend;
-        triangle.fixed.right_step = triangle.fixed.bend_step;
-      } else {
-        triangle.fixed.left = triangle.fixed.bend;
-        triangle.fixed.left_step = triangle.fixed.bend_step;
-      }
+      put_third_edge(triangle, corners);
       return false;
     }
     if (triangle.flags.size() == ActiveTriangle::Size::large) {

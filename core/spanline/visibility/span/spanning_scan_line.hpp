@@ -35,7 +35,7 @@ class SpanningScanLine {
   using Target = BandTarget<Depth, Pixel>;
 
   /// Depths are kept for Counting alone, for others to look at: nothing here reads them.
-  static constexpr bool keeps_depth = Counting, tests_depth = false;
+  static constexpr bool keeps_depth = Counting, tests_depth = false, takes_table_apart = true;
 
   struct Entry : AwakePolygon {
     Surface surface;
@@ -111,9 +111,26 @@ class SpanningScanLine {
       rows.draw_with_layers();
     else
       rows.draw();
-    if constexpr (has_layers) {
-      if (layers_.overflowed) layers_.wanted = polygons_on_rows(table, viewport, true);
+    note_wanted_layers(table, viewport);
+  }
+
+  /// Steps over a band that somebody else draws; of its target, rows and width count. Nothing falls asleep in it.
+  template <class ShadingGroup>
+  void skip_band(PolygonTable& table, std::span<const ShadingGroup>, std::int32_t, Viewport viewport,
+                 const Target& target) {
+    const PolygonSource source{table, viewport};
+    for (std::int32_t row = target.first_row - row_bias; row < target.end_row - row_bias; ++row) {
+      if constexpr (has_layers) {
+        const WokenWithLayers woken = wake_bucket(table_, layers_.table, source, row, margin);
+        if (!woken.all_opaque) overflowed_ = true;
+        if (!woken.all_layers) layers_.overflowed = true;
+        static_cast<void>(layers_.table.step(source, row));
+      } else if (!wake_bucket(table_, source, row, margin)) {
+        overflowed_ = true;
+      }
+      static_cast<void>(table_.step(source, row));
     }
+    note_wanted_layers(table, viewport);
   }
 
   [[nodiscard]] bool overflowed() const { return overflowed_; }
@@ -131,6 +148,12 @@ class SpanningScanLine {
   [[nodiscard]] bool layers_overflowed() const { return layers_.overflowed; }
 
  private:
+  void note_wanted_layers([[maybe_unused]] const PolygonTable& table, [[maybe_unused]] Viewport viewport) {
+    if constexpr (has_layers) {
+      if (layers_.overflowed) layers_.wanted = polygons_on_rows(table, viewport, true);
+    }
+  }
+
   /// Bounds keep clear of the plane's rounding: at most half a guard unit a pixel of the way from the anchor, which the
   /// largest picture makes 1,024, and 2 units of 24-bit depth or 1 of 16-bit depth for fast set-ups.
   static constexpr std::uint32_t depth_unit = 1u << Depth::guard_bits;

@@ -6,9 +6,10 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
-#include "spanline/frame/renderer.hpp"
+#include "spanline/frame/band_partner.hpp"
 #include "support/screen_triangle.hpp"
 
 namespace spanline::test {
@@ -81,12 +82,30 @@ class Studio {
     note(renderer_.add_screen(vertices, colours, material));
   }
   [[nodiscard]] PictureType draw() {
-    const Capacity& c = renderer_.capacity();
-    PictureType picture{c.width, c.height, {}, {}, {}};
-    picture.pixels.resize(std::size_t{c.width} * c.height);
-    picture.depth.resize(picture.pixels.size());
+    PictureType picture = empty_picture();
     note(renderer_.draw(Collector<Traits>{picture}));
     return picture;
+  }
+  /// By two threads that draw at a time, each every second band.
+  [[nodiscard]] PictureType draw_on_two_cores() {
+    std::vector<std::byte> memory(BandPartner<Traits>::bytes_needed(renderer_.capacity()));
+    BandPartner<Traits> partner(renderer_, memory);
+    note(partner.status());
+    PictureType even = empty_picture(), odd = empty_picture();
+    partner.take_frame();
+    Status odd_status;
+    std::thread other([&] { odd_status = partner.draw_odd(BandCollector{odd}); });
+    note(renderer_.draw_even(BandCollector{even}));
+    other.join();
+    note(odd_status);
+    const Capacity& c = renderer_.capacity();
+    for (int y = 0; y < c.height; ++y) {
+      if (y / c.band_lines % 2 == 0) continue;
+      const auto begin = static_cast<std::ptrdiff_t>(even.at(0, y)), end = begin + c.width;
+      std::copy(odd.pixels.begin() + begin, odd.pixels.begin() + end, even.pixels.begin() + begin);
+      std::copy(odd.depth.begin() + begin, odd.depth.begin() + end, even.depth.begin() + begin);
+    }
+    return even;
   }
 
   /// A frame of triangles given on screen, none culled.
@@ -103,6 +122,22 @@ class Studio {
   }
 
  private:
+  /// Collects bands, and nothing else.
+  struct BandCollector {
+    PictureType& picture;
+    template <class Band>
+    bool operator()(const Band& band) {
+      return Collector<Traits>{picture}(band);
+    }
+  };
+
+  [[nodiscard]] PictureType empty_picture() const {
+    const Capacity& c = renderer_.capacity();
+    PictureType picture{c.width, c.height, {}, {}, {}};
+    picture.pixels.resize(std::size_t{c.width} * c.height);
+    picture.depth.resize(picture.pixels.size());
+    return picture;
+  }
   void note(Status status) {
     if (status_.ok()) status_ = status;
   }

@@ -1,0 +1,176 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "spanline/frame/arena.hpp"
+#include "spanline/frame/capacity.hpp"
+#include "spanline/frame/status.hpp"
+#include "spanline/raster/polygon_table.hpp"
+#include "spanline/shade/fill_constant.hpp"
+#include "spanline/shade/shading_group.hpp"
+#include "spanline/visibility/algorithm.hpp"
+
+namespace spanline {
+
+/// A finished band of lines, as the sink gets it.
+template <class Pixel, class DepthWord>
+struct Band {
+  std::int32_t y0, y1;               ///< lines [y0, y1) of the picture
+  std::span<Pixel> pixels;           ///< line by line, width · (y1 − y0)
+  std::span<const DepthWord> depth;  ///< parallel to the pixels; empty where the algorithm keeps none
+  unsigned buffer;                   ///< which of the drawer's colour bands holds it, counted from 0
+};
+
+/// Which bands of a frame somebody draws; bands count from 0 at the top.
+enum class BandShare : std::uint8_t { all, even, odd };
+
+/// What a frame shows, as its bands are drawn from it.
+template <class Pixel>
+struct BandScene {
+  PolygonTable& table;  ///< spanning takes its buckets apart
+  std::span<const ShadingGroup> shading;
+  Pixel background;
+  VisibilityCounters* counters;
+};
+
+/// Draws the bands of a frame, or every second one, from a polygon table: a visibility algorithm with its memory, a
+/// depth band, and the colour bands that it draws into by turns. All state between bands is its own, so that several
+/// may draw from one table at a time where the algorithm leaves the table alone.
+template <class Traits>
+class BandDrawer {
+ public:
+  using DepthWord = typename Traits::Depth::Word;
+  using Pixel = typename Traits::Format::Pixel;
+  using BandView = Band<Pixel, DepthWord>;
+  using Scene = BandScene<Pixel>;
+  using Visibility = typename Traits::Visibility::template Algorithm<typename Traits::Depth, Pixel,
+                                                                     typename Traits::Shaders, Traits::statistics>;
+  static_assert(VisibilityAlgorithm<Visibility, Arena, Capacity>);
+
+  struct Pools {
+    typename Visibility::Memory visibility;
+    std::span<DepthWord> depth;
+    std::span<Pixel> colour;  ///< all bands
+
+    /// Pixels from one colour band to the next: each begins as the arena would let it begin.
+    static constexpr std::size_t colour_stride(const Capacity& c) {
+      constexpr std::size_t pixels_a_step = std::max<std::size_t>(Arena::alignment / sizeof(Pixel), 1);
+      return (std::size_t{c.width} * c.band_lines + pixels_a_step - 1) / pixels_a_step * pixels_a_step;
+    }
+    constexpr void take(Arena& arena, const Capacity& c) {
+      visibility.take(arena, c);
+      depth = arena.take<DepthWord>(Visibility::keeps_depth ? std::size_t{c.width} * c.band_lines : 0);
+      colour = arena.take<Pixel>(colour_stride(c) * c.colour_bands);
+    }
+  };
+
+  BandDrawer() = default;
+  BandDrawer(const Capacity& capacity, const Pools& pools)
+      : capacity_(capacity), pools_(pools), visibility_(pools.visibility) {}
+
+  /// Draws a frame's share. For each band: `sink.acquire(buffer)` where the sink has it, which waits until that colour
+  /// band is free again; then the drawing; then `sink(band)`. Either may return false to give the frame up.
+  template <class Sink>
+  Status draw(const Scene& scene, BandShare share, Sink& sink) {
+    start(share);
+    for (std::uint32_t band = 0; band < capacity_.bands(); ++band) {
+      if (!draws(band)) {
+        skip_band(scene, band);
+        continue;
+      }
+      if constexpr (requires { sink.acquire(0u); }) {
+        if (!sink.acquire(buffer_of(band))) return {Fault::sink_failed, Pool::none, 0};
+      }
+      clear_band(scene, band);
+      const BandView view = draw_band(scene, band, sink);
+      if (!sink(view)) return {Fault::sink_failed, Pool::none, 0};
+    }
+    return end(scene);
+  }
+
+  // The steps of `draw`.
+
+  void start(BandShare share) {
+    share_ = share;
+    visibility_.begin_frame();
+  }
+  [[nodiscard]] bool draws(std::uint32_t band) const {
+    return share_ == BandShare::all || (band & 1) == (share_ == BandShare::odd ? 1u : 0u);
+  }
+  /// Steps over a band that somebody else draws.
+  void skip_band(const Scene& scene, std::uint32_t band) {
+    const std::int32_t y0 = first_line(band);
+    visibility_.skip_band(scene.table, scene.shading, static_cast<std::int32_t>(band), viewport(),
+                          {nullptr, nullptr, capacity_.width, y0 + row_bias, end_line(y0) + row_bias, {}});
+  }
+  void clear_band(const Scene& scene, std::uint32_t band) {
+    visibility_.clear(target(scene, band_view(band)),
+                      [](auto value, std::uint32_t count, auto* words) { fill_constant(value, count, words); });
+  }
+  template <class Sink>
+  BandView draw_band(const Scene& scene, std::uint32_t band, Sink& sink) {
+    const BandView view = band_view(band);
+    visibility_.draw_band(scene.table, scene.shading, static_cast<std::int32_t>(band), viewport(), target(scene, view),
+                          [&](std::uint32_t id) {
+                            if constexpr (requires { sink.covered(id); }) sink.covered(id);
+                          });
+    return view;
+  }
+  Status end(const Scene& scene) {
+    first_buffer_ = buffer_of(capacity_.bands());
+    if (visibility_.overflowed())
+      return {Fault::pool_full, Pool::active, Visibility::wanted(scene.table, viewport(), capacity_.band_lines)};
+    if constexpr (Traits::Shaders::see_through) {
+      if (visibility_.layers_overflowed()) return {Fault::pool_full, Pool::layers, visibility_.layers_wanted()};
+    }
+    return {};
+  }
+
+  /// A colour band's memory; empty where the band does not exist.
+  [[nodiscard]] std::span<Pixel> colour_band(unsigned buffer) const {
+    const std::size_t start = std::size_t{buffer} * Pools::colour_stride(capacity_);
+    if (start >= pools_.colour.size()) return {};
+    return pools_.colour.subspan(start, std::size_t{capacity_.width} * capacity_.band_lines);
+  }
+  [[nodiscard]] const Pools& pools() const { return pools_; }
+  [[nodiscard]] const Visibility& visibility() const { return visibility_; }
+
+ private:
+  [[nodiscard]] Viewport viewport() const { return {capacity_.width, capacity_.height}; }
+  [[nodiscard]] std::int32_t first_line(std::uint32_t band) const {
+    return static_cast<std::int32_t>(band * capacity_.band_lines);
+  }
+  [[nodiscard]] std::int32_t end_line(std::int32_t first) const {
+    return std::min<std::int32_t>(first + capacity_.band_lines, capacity_.height);
+  }
+  /// Bands of the share among the first `bands`.
+  [[nodiscard]] std::uint32_t turns(std::uint32_t bands) const {
+    return share_ == BandShare::all ? bands : (bands + (share_ == BandShare::even ? 1 : 0)) >> 1;
+  }
+  /// Up to two colour bands go without the remainder, which costs Cortex-M0+ a call a band.
+  [[nodiscard]] unsigned buffer_of(std::uint32_t band) const {
+    const std::uint32_t turn = turns(band);
+    if (capacity_.colour_bands <= 2) return turn & (capacity_.colour_bands - 1u);
+    return (first_buffer_ + turn) % capacity_.colour_bands;
+  }
+  [[nodiscard]] BandView band_view(std::uint32_t band) const {
+    const std::int32_t y0 = first_line(band), y1 = end_line(y0);
+    const std::size_t count = std::size_t{capacity_.width} * static_cast<std::size_t>(y1 - y0);
+    const unsigned buffer = buffer_of(band);
+    return {y0, y1, colour_band(buffer).first(count), pools_.depth.first(Visibility::keeps_depth ? count : 0), buffer};
+  }
+  [[nodiscard]] typename Visibility::Target target(const Scene& scene, const BandView& view) const {
+    return {pools_.depth.data(), view.pixels.data(), capacity_.width, view.y0 + row_bias,
+            view.y1 + row_bias,  scene.background,   scene.counters};
+  }
+
+  Capacity capacity_;
+  Pools pools_{};
+  Visibility visibility_{};
+  unsigned first_buffer_ = 0;  ///< colour band that the frame's first band of lines goes to
+  BandShare share_ = BandShare::all;
+};
+
+}  // namespace spanline

@@ -1,0 +1,107 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "spanline/frame/renderer.hpp"
+
+namespace spanline {
+
+/// Draws the odd bands of a renderer's frames, for a second core: both draw at a time from one polygon table, and the
+/// picture has the bytes that the renderer alone would give it, as long as no pool runs full.
+///
+///     renderer.begin(settings); renderer.add(…);   // one core
+///     partner.take_frame();                        // the same core, behind the last add
+///     renderer.draw_even(sink);                    // one core, while
+///     partner.draw_odd(other_sink);                // the other does this
+///
+/// Each core hands over its own bands; who puts them on a display in order has to wait for both. The renderer starts
+/// no frame before both have returned. What a core has written by `take_frame` must be visible to the other one (a
+/// barrier, and no cache between them).
+template <class Traits>
+class BandPartner {
+ public:
+  using Drawer = BandDrawer<Traits>;
+  using Pixel = typename Drawer::Pixel;
+
+  /// Bytes of the caller's memory, alignment included: a second set of bands, and where the algorithm takes the polygon
+  /// table's buckets apart a copy of them.
+  [[nodiscard]] static constexpr std::size_t bytes_needed(const Capacity& capacity) {
+    Arena counting;
+    Pools pools;
+    pools.take(counting, capacity);
+    return counting.size() + Arena::alignment - 1;
+  }
+
+  /// `status()` tells whether the memory was enough and the renderer is in order; if not, there is nothing to draw.
+  BandPartner(Renderer<Traits>& renderer, std::span<std::byte> memory) : renderer_(renderer) {
+    const Capacity& capacity = renderer.capacity();
+    status_ = renderer.status();
+    if (!status_.ok()) return;
+    Arena arena = Arena::aligned(memory);
+    Pools pools;
+    pools.take(arena, capacity);
+    if (arena.overrun()) {
+      status_ = {Fault::pool_full, Pool::memory, static_cast<std::uint32_t>(bytes_needed(capacity))};
+      return;
+    }
+    drawer_ = Drawer(capacity, pools.bands);
+    references_ = pools.references;
+    buckets_ = pools.buckets;
+  }
+
+  [[nodiscard]] Status status() const { return status_; }
+
+  /// Takes over the frame that the renderer holds, before either draws.
+  void take_frame() {
+    if (!status_.ok()) return;
+    table_ = renderer_.table_;
+    if constexpr (copies) {
+      std::copy_n(table_.references.begin(), table_.polygon_count, references_.begin());
+      std::copy(table_.buckets.begin(), table_.buckets.end(), buckets_.begin());
+      table_.references = references_;
+      table_.buckets = buckets_;
+    }
+    counters_ = {};
+    taken_ = true;
+  }
+
+  /// Draws the bands 1, 3, 5, …; the sink as for Renderer::draw, its colour bands the partner's own.
+  template <class Sink>
+  Status draw_odd(Sink&& sink) {
+    if (!taken_) return status_.ok() ? Status{Fault::bad_settings, Pool::none, 0} : status_;
+    taken_ = false;
+    return drawer_.draw(renderer_.scene(table_, counters_), BandShare::odd, sink);
+  }
+
+  /// As Renderer::colour_band, of the partner.
+  [[nodiscard]] std::span<Pixel> colour_band(unsigned buffer) const { return drawer_.colour_band(buffer); }
+  /// What visibility did in the odd bands, where the traits count it.
+  [[nodiscard]] const VisibilityCounters& counters() const { return counters_; }
+
+ private:
+  static constexpr bool copies = Drawer::Visibility::takes_table_apart;
+  struct Pools {
+    typename Drawer::Pools bands;
+    std::span<PolygonReference> references;
+    std::span<Link> buckets;
+
+    constexpr void take(Arena& arena, const Capacity& c) {
+      bands.take(arena, c);
+      references = arena.take<PolygonReference>(copies ? c.polygons : 0);
+      buckets = arena.take<Link>(copies ? Renderer<Traits>::bucket_count(c) : 0);
+    }
+  };
+
+  Renderer<Traits>& renderer_;
+  Status status_{};
+  Drawer drawer_{};
+  PolygonTable table_{};
+  std::span<PolygonReference> references_;
+  std::span<Link> buckets_;
+  VisibilityCounters counters_{};
+  bool taken_ = false;
+};
+
+}  // namespace spanline
