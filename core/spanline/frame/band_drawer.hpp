@@ -119,7 +119,7 @@ class BandDrawer {
     return view;
   }
   Status end(const Scene& scene) {
-    first_buffer_ = buffer_of(capacity_.bands());
+    first_buffer_ = static_cast<std::uint8_t>(buffer_of(capacity_.bands()));
     if (visibility_.overflowed())
       return {Fault::pool_full, Pool::active, Visibility::wanted(scene.table, viewport(), capacity_.band_lines)};
     if constexpr (Traits::Shaders::see_through) {
@@ -134,6 +134,7 @@ class BandDrawer {
     if (start >= pools_.colour.size()) return {};
     return pools_.colour.subspan(start, std::size_t{capacity_.width} * capacity_.band_lines);
   }
+  [[nodiscard]] const Capacity& capacity() const { return capacity_; }
   [[nodiscard]] const Pools& pools() const { return pools_; }
   [[nodiscard]] const Visibility& visibility() const { return visibility_; }
 
@@ -169,7 +170,7 @@ class BandDrawer {
   Capacity capacity_;
   Pools pools_{};
   Visibility visibility_{};
-  unsigned first_buffer_ = 0;  ///< colour band that the frame's first band of lines goes to
+  std::uint8_t first_buffer_ = 0;  ///< colour band that the frame's first band of lines goes to
   BandShare share_ = BandShare::all;
 };
 

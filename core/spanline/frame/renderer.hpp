@@ -57,13 +57,15 @@ class Renderer {
   [[nodiscard]] static constexpr std::size_t bytes_needed(const Capacity& capacity) {
     Arena counting;
     Pools pools;
+    typename BandDrawer<Traits>::Pools bands;
     pools.take(counting, capacity);
+    bands.take(counting, capacity);
     return counting.size() + Arena::alignment - 1;
   }
 
   /// Divides `memory` into pools. `status()` tells whether it was enough and the capacity valid; if not, the renderer
   /// refuses every frame.
-  Renderer(const Capacity& capacity, std::span<std::byte> memory) : capacity_(capacity) {
+  Renderer(const Capacity& capacity, std::span<std::byte> memory) : drawer_(capacity, {}) {
     const bool links_fit = capacity.polygons < no_link && capacity.fans < fan_flag && capacity.instances < no_link &&
                            Visibility::takes(capacity);
     if (!capacity.valid() || !links_fit) {
@@ -71,7 +73,9 @@ class Renderer {
       return;
     }
     Arena arena = Arena::aligned(memory);
+    typename BandDrawer<Traits>::Pools bands;
     pools_.take(arena, capacity);
+    bands.take(arena, capacity);
     if (arena.overrun()) {
       status_ = {Fault::pool_full, Pool::memory, static_cast<std::uint32_t>(bytes_needed(capacity))};
       return;
@@ -80,7 +84,7 @@ class Renderer {
     table_.fans = pools_.fans;
     table_.groups = pools_.groups;
     table_.buckets = pools_.buckets;
-    drawer_ = BandDrawer<Traits>(capacity, pools_.bands);
+    drawer_ = BandDrawer<Traits>(capacity, bands);
     bucket_of_row_ = BandOfRow(Visibility::bucket_lines(capacity));
   }
 
@@ -211,7 +215,7 @@ class Renderer {
   [[nodiscard]] const Statistics& statistics() const { return statistics_; }
   /// Of the last frame that was drawn.
   [[nodiscard]] const PoolPeaks& peaks() const { return peaks_; }
-  [[nodiscard]] const Capacity& capacity() const { return capacity_; }
+  [[nodiscard]] const Capacity& capacity() const { return drawer_.capacity(); }
 
  private:
   friend class BandPartner<Traits>;
@@ -222,7 +226,7 @@ class Renderer {
   static constexpr bool has_textures =
       Shaders::first([]<class Shader>() { return DrawsTextures<Shader>; }) < Shaders::count;
 
-  /// Every pool, in the order in which the arena cuts them.
+  /// Every pool but the bands', in the order in which the arena cuts them.
   struct Pools {
     std::span<PolygonGroup> groups;
     std::span<ShadingGroup> shading;
@@ -234,7 +238,6 @@ class Renderer {
     std::span<PolygonReference> references;
     std::span<FanTriangle> fans;
     std::span<Link> buckets;
-    typename BandDrawer<Traits>::Pools bands;
 
     constexpr void take(Arena& arena, const Capacity& c) {
       groups = arena.take<PolygonGroup>(c.instances);
@@ -247,7 +250,6 @@ class Renderer {
       references = arena.take<PolygonReference>(c.polygons);
       fans = arena.take<FanTriangle>(c.fans);
       buckets = arena.take<Link>(bucket_count(c));
-      bands.take(arena, c);
     }
   };
 
@@ -258,7 +260,7 @@ class Renderer {
                   polygons_wanted = 0, fans_wanted = 0;  ///< and not found
   };
 
-  [[nodiscard]] Viewport viewport() const { return {capacity_.width, capacity_.height}; }
+  [[nodiscard]] Viewport viewport() const { return {capacity().width, capacity().height}; }
   [[nodiscard]] static bool needs_shades(const Material& material) {
     return has_shades && material.shading == ShadingMode::gouraud;
   }
@@ -386,13 +388,13 @@ class Renderer {
     peaks_.active = Visibility::Memory::bytes(drawer_.visibility().peak());
     if constexpr (Shaders::see_through)
       peaks_.layers = Visibility::Memory::layer_bytes(
-          std::min<std::size_t>(drawer_.visibility().layers_wanted(), capacity_.layers));
+          std::min<std::size_t>(drawer_.visibility().layers_wanted(), capacity().layers));
     peaks_.buckets = pools_.buckets.size_bytes();
-    peaks_.colour_bands = pools_.bands.colour.size_bytes();
-    peaks_.depth_band = Visibility::tests_depth ? pools_.bands.depth.size_bytes() : 0;
+    peaks_.colour_bands = drawer_.pools().colour.size_bytes();
+    peaks_.depth_band = Visibility::tests_depth ? drawer_.pools().depth.size_bytes() : 0;
   }
 
-  Capacity capacity_;
+  BandDrawer<Traits> drawer_;
   Status status_{};
   bool ready_ = false;
   Pools pools_{};
@@ -401,7 +403,6 @@ class Renderer {
   FrameSettings settings_{};
   Pixel background_{};
   FrameView view_{};
-  BandDrawer<Traits> drawer_{};
   Used used_{};
   Statistics statistics_{};
   PoolPeaks peaks_{};
