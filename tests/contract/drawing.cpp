@@ -91,9 +91,11 @@ Drawing draw_once(const Scene& scene, const Manner& manner, std::uint32_t layers
 
 template <class Traits>
 Drawing draw_with(const Scene& scene, const Manner& manner) {
-  const Drawing first = draw_once<Traits>(scene, manner, manner.layers.value_or(1000));
-  if (manner.layers || first.status.pool != Pool::layers) return first;
-  return draw_once<Traits>(scene, manner, first.status.wanted);
+  Drawing drawing = draw_once<Traits>(scene, manner, manner.layers.value_or(1000));
+  // Twice at most: of two cores, each knows its own bands.
+  for (int again = 0; again < 2 && !manner.layers && drawing.status.pool == Pool::layers; ++again)
+    drawing = draw_once<Traits>(scene, manner, drawing.status.wanted);
+  return drawing;
 }
 
 /// Flat shading, opaque and see-through.

@@ -5,6 +5,7 @@
 
 #include "spanline/raster/active_triangle.hpp"
 #include "spanline/visibility/band_target.hpp"
+#include "spanline/visibility/skip_rows.hpp"
 
 namespace spanline {
 
@@ -21,7 +22,7 @@ struct SeeThroughRows {
                                      Fragments& fragments, CornersOf corners_of) {
     while (triangle.rows_to_bend + triangle.rows_after_bend > 0) {
       if (triangle.row == target.end_row) return true;
-      if (triangle.rows_to_bend == 0 && !triangle.flags.bent()) bend(triangle, corners_of);
+      if (triangle.rows_to_bend == 0 && !triangle.flags.bent()) put_third_edge(triangle, corners_of());
       const std::int32_t row = triangle.row - target.first_row;
       const Columns columns = step(triangle, target.width);
       if (columns.end > columns.first)
@@ -40,20 +41,6 @@ struct SeeThroughRows {
   struct Columns {
     std::int32_t first, end;
   };
-
-  template <class CornersOf>
-  static void bend(ActiveTriangle& triangle, CornersOf& corners_of) {
-    triangle.flags.set_bent();
-    if (triangle.flags.size() == ActiveTriangle::Size::large) {
-      bend_large(corners_of(), triangle);
-    } else if (triangle.flags.right_bends()) {
-      triangle.fixed.right = triangle.fixed.bend;
-      triangle.fixed.right_step = triangle.fixed.bend_step;
-    } else {
-      triangle.fixed.left = triangle.fixed.bend;
-      triangle.fixed.left_step = triangle.fixed.bend_step;
-    }
-  }
 
   /// The columns of the current row, and a step of the edges to the next.
   static Columns step(ActiveTriangle& triangle, std::int32_t width) {
