@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include "spanline/frame/arena.hpp"
 #include "spanline/frame/band_drawer.hpp"
@@ -12,6 +13,7 @@
 #include "spanline/geometry/instance.hpp"
 #include "spanline/geometry/polygon_assembly.hpp"
 #include "spanline/model/camera.hpp"
+#include "spanline/model/fog.hpp"
 #include "spanline/shade/lighting.hpp"
 
 namespace spanline {
@@ -26,6 +28,8 @@ struct FrameSettings {
   Rgb888 background{0, 0, 0};
   Cull cull = Cull::back;
   std::uint8_t stipple_seed = 0;  ///< [0, 127]: of materials that are seen through by random patterns
+  Fog fog{};                      ///< for renderers with the general shader
+  bool dither = false;            ///< ordered dither, likewise
 };
 
 /// Numbers of a frame (design: the lectures' sets P, F, B; and what visibility did, where the traits count it).
@@ -101,6 +105,7 @@ class Renderer {
     if (!settings_valid(settings.camera)) return {Fault::bad_settings, Pool::none, 0};
     settings_ = settings;
     background_ = Format::from(settings.background);
+    prepare_effects();
     view_ = {settings.camera, viewport(), Depth::bits, Depth::nearest, Depth::farthest};
     ready_ = true;
     return {};
@@ -111,11 +116,14 @@ class Renderer {
   Status add(const Mesh& mesh, const Transform& transform, const Material& material) {
     if (!ready_) return status_.ok() ? Status{Fault::bad_settings, Pool::none, 0} : status_;
     const bool textured = has_textures && material.texturing.texture != nullptr && !mesh.texture_coordinates.empty();
-    const std::uint8_t shader = shader_for<Traits>(material, !mesh.vertex_colours.empty(), textured);
+    const std::uint8_t shader =
+        shader_for<Traits>(material, !mesh.vertex_colours.empty(), textured, effects_wanted(settings_));
     const std::uint32_t first_id = used_.ids;
     used_.ids += static_cast<std::uint32_t>(mesh.triangle_count());
     if (shader >= Shaders::count) return {Fault::shader_missing, Pool::none, 0};
-    const bool holes = textured && material.texturing.texture->has_holes();
+    // Decals are there all over.
+    const bool holes =
+        textured && material.texturing.texture->has_holes() && material.texturing.function != TextureFunction::decal;
     // An algorithm that decides by whole spans cannot look through holes, unless it has layers.
     if (!Visibility::tests_depth && !Shaders::see_through && holes) return {Fault::shader_missing, Pool::none, 0};
 
@@ -144,9 +152,13 @@ class Renderer {
     shading = {};
     shading.mesh = &mesh;
     shading.vertex_shades = store.shades.data();
-    if (textured) {
-      pools_.textured[number] = {store.textures.data(), material.texturing};
-      shading.textured = &pools_.textured[number];
+    if constexpr (has_textures) {
+      if (textured || shader == Shaders::template index_of<GeneralShader<Format>>) {
+        TexturedGroup& more = pools_.textured[number];
+        more = {textured ? store.textures.data() : nullptr, material.texturing, material.colour};
+        if constexpr (has_effects) more.effects = &effects_;
+        shading.textured = &more;
+      }
     }
     shading.first_id = first_id;
     shading.colour = LitColour::from(material.colour);
@@ -164,7 +176,7 @@ class Renderer {
                     const Material& material = {}) {
     if (!ready_) return status_.ok() ? Status{Fault::bad_settings, Pool::none, 0} : status_;
     if (vertices.size() / 3 >= fan_flag) return {Fault::too_many_triangles, Pool::none, 0};
-    const std::uint8_t shader = shader_for<Traits>(material, false, false);
+    const std::uint8_t shader = shader_for<Traits>(material, false, false, false);
     const std::uint32_t first_id = used_.ids;
     used_.ids += static_cast<std::uint32_t>(vertices.size() / 3);
     if (shader >= Shaders::count) return {Fault::shader_missing, Pool::none, 0};
@@ -225,6 +237,21 @@ class Renderer {
       has_ramps || Shaders::template index_of<GouraudColourShader<Format>> < Shaders::count;
   static constexpr bool has_textures =
       Shaders::first([]<class Shader>() { return DrawsTextures<Shader>; }) < Shaders::count;
+
+  static constexpr bool has_effects = Shaders::template index_of<GeneralShader<Format>> < Shaders::count;
+  struct NoEffects {};
+
+  [[nodiscard]] static bool effects_wanted(const FrameSettings& settings) {
+    return settings.fog.curve != FogCurve::none || settings.dither;
+  }
+  void prepare_effects() {
+    if constexpr (has_effects) {
+      effects_.fogged = settings_.fog.curve != FogCurve::none;
+      effects_.fog_colour = settings_.fog.colour;
+      effects_.dither = settings_.dither;
+      if (effects_.fogged) effects_.fog.fill(settings_.fog, settings_.camera);
+    }
+  }
 
   /// Every pool but the bands', in the order in which the arena cuts them.
   struct Pools {
@@ -403,6 +430,7 @@ class Renderer {
   FrameSettings settings_{};
   Pixel background_{};
   FrameView view_{};
+  [[no_unique_address]] std::conditional_t<has_effects, FrameEffects, NoEffects> effects_;
   Used used_{};
   Statistics statistics_{};
   PoolPeaks peaks_{};

@@ -2,6 +2,7 @@
 #include "spanline/model/material.hpp"
 #include "spanline/raster/depth_format.hpp"
 #include "spanline/shade/flat.hpp"
+#include "spanline/shade/general_shader.hpp"
 #include "spanline/shade/gouraud.hpp"
 #include "spanline/shade/pixel_format.hpp"
 #include "spanline/shade/polygon_id.hpp"
@@ -59,6 +60,17 @@ using TextureTraits = RendererTraits<Depth, Format,
                                                 RepeatedTextureShader<Format, TexelFormat::rgb565, GouraudTexelLight>>,
                                      Statistics, Visibility>;
 
+/// The same shaders, and one behind them that serves whatever they do not: other texel formats, clamping, bilinear
+/// filtering, mip maps, texture functions, coloured surfaces under a texture, fog and dither.
+template <class Format = Rgb565, class Depth = Depth16<>, bool Statistics = false, class Visibility = ZBuffer>
+using GeneralTraits = RendererTraits<
+    Depth, Format,
+    ShaderList<FlatShader<Format>, GouraudShader<Format>, GouraudColourShader<Format>,
+               RepeatedTextureShader<Format, TexelFormat::rgb565, NoTexelLight>,
+               RepeatedTextureShader<Format, TexelFormat::rgb565, FlatTexelLight>,
+               RepeatedTextureShader<Format, TexelFormat::rgb565, GouraudTexelLight>, GeneralShader<Format>>,
+    Statistics, Visibility>;
+
 /// Whether a shader draws textures: it says which materials it serves.
 template <class Shader>
 concept DrawsTextures = requires(const Material& material) {
@@ -80,9 +92,11 @@ template <class Shader, class Format>
     return std::is_same_v<Shader, GouraudShader<Format>>;
 }
 
-/// The place in the list of the shader that serves a material on a mesh; the list's `count` if there is none.
+/// The place in the list of the shader that serves a material on a mesh, in a frame with effects or without; the list's
+/// `count` if there is none.
 template <class Traits>
-[[nodiscard]] constexpr std::uint8_t shader_for(const Material& material, bool vertex_colours, bool textured) {
+[[nodiscard]] constexpr std::uint8_t shader_for(const Material& material, bool vertex_colours, bool textured,
+                                                bool effects) {
   using Shaders = typename Traits::Shaders;
   using Format = typename Traits::Format;
   if constexpr (Shaders::template index_of<IdShader> < Shaders::count) {
@@ -91,10 +105,12 @@ template <class Traits>
     if (is_see_through(material))
       return Shaders::first([&]<class Shader>() {
         if constexpr (SeeThrough<Shader>)
-          return serves<typename Shader::Inner, Format>(material, vertex_colours, textured);
+          return (!effects || std::is_same_v<typename Shader::Inner, GeneralShader<Format>>)&&serves<
+              typename Shader::Inner, Format>(material, vertex_colours, textured);
         else
           return false;
       });
+    if (effects) return Shaders::template index_of<GeneralShader<Format>>;
     if (textured)
       return Shaders::first([&]<class Shader>() {
         if constexpr (DrawsTextures<Shader>)

@@ -20,10 +20,14 @@ struct ModelLight {
   }
 };
 
-/// What shaders need to know of a textured group besides.
+struct FrameEffects;
+
+/// What shaders need to know of a textured group besides, and the general shader of any.
 struct TexturedGroup {
-  const TextureVertex* vertices;  ///< one a vertex
+  const TextureVertex* vertices;  ///< one a vertex; null without a texture
   Texturing texturing;
+  Rgb888 colour;                          ///< the material's
+  const FrameEffects* effects = nullptr;  ///< of the frame; for the general shader
 };
 
 /// How a see-through group shows what lies behind it; nothing to opaque ones.
@@ -38,7 +42,7 @@ struct ShadingGroup {
   const Mesh* mesh = nullptr;  ///< null for triangles given on screen
   union {
     const std::uint16_t* screen_colours = nullptr;  ///< of triangles given on screen: RGB565, one a triangle
-    const TexturedGroup* textured;                  ///< of a mesh: for shaders of textures
+    const TexturedGroup* textured;                  ///< of a mesh: for shaders of textures, and the general one
   };
   const std::uint32_t* vertex_shades = nullptr;  ///< Gouraud: one a vertex (gouraud.hpp)
   const std::uint16_t* ramp = nullptr;           ///< Gouraud without vertex colours: 64 pixels

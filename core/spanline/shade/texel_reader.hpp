@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 
 #include "spanline/model/texture.hpp"
@@ -18,10 +19,11 @@ struct Texel {
                                     (blue << 1 | blue >> 3));
 }
 
-/// Reads level 0 of a valid texture of any format; x and y inside it.
-[[nodiscard]] constexpr Texel read_texel(const Texture& texture, std::uint32_t x, std::uint32_t y) {
+/// Reads a valid texture of any format, in a level that begins at `offset` of its table; x and y inside it.
+[[nodiscard]] constexpr Texel read_texel(const Texture& texture, std::size_t offset, unsigned log2_width,
+                                         std::uint32_t x, std::uint32_t y) {
   constexpr std::uint8_t opaque = 15;
-  const std::uint32_t index = (y << texture.log2_width) + x;
+  const std::size_t index = offset + (y << log2_width) + x;
   switch (texture.format) {
     case TexelFormat::rgb565:
       return {texture.words[index], opaque};
@@ -30,13 +32,18 @@ struct Texel {
     case TexelFormat::argb4444:
       return {rgb565_from_rgb444(texture.words[index]), static_cast<std::uint8_t>(texture.words[index] >> 12)};
     case TexelFormat::palette16: {
-      const std::uint32_t row_bytes = ((1u << texture.log2_width) + 1) / 2;
-      return {texture.palette[(texture.bytes[y * row_bytes + x / 2] >> (x % 2 * 4)) & 15], opaque};
+      const std::uint32_t row_bytes = ((1u << log2_width) + 1) / 2;
+      return {texture.palette[(texture.bytes[offset + y * row_bytes + x / 2] >> (x % 2 * 4)) & 15], opaque};
     }
     case TexelFormat::palette256:
       return {texture.palette[texture.bytes[index]], opaque};
   }
   return {};
+}
+
+/// The same for level 0.
+[[nodiscard]] constexpr Texel read_texel(const Texture& texture, std::uint32_t x, std::uint32_t y) {
+  return read_texel(texture, 0, texture.log2_width, x, y);
 }
 
 }  // namespace spanline

@@ -147,8 +147,15 @@ class TextureBlocks {
   [[nodiscard]] bool at_block() const { return curved_ && ((column_ + plane_.origin) & (block_columns - 1)) == 0; }
 
   /// Behind `rest_of_block` pixels.
-  void next() {
-    column_ += signed_word(rest_of_block());
+  void next() { next(rest_of_block()); }
+  /// Behind as many pixels; at most `rest_of_block`, and fewer of affine polygons alone.
+  void next(std::uint32_t length) {
+    column_ += signed_word(length);
+    if (plane_.way == TexturePlane::Way::affine) {
+      at_.u += at_.du * length;
+      at_.v += at_.dv * length;
+      return;
+    }
     next_division();
   }
 
@@ -287,7 +294,6 @@ class TextureBlocks {
 
   /// The step to a new block, or to the next pixel where each divides.
   void next_division() {
-    if (plane_.way == TexturePlane::Way::affine) return;
     if (plane_.way == TexturePlane::Way::blocks && ((column_ + plane_.origin) & (block_columns - 1)) == 0) {
       begin_block(column_);
       if (curved_) return;

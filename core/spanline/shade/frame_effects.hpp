@@ -1,0 +1,53 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "spanline/math/bits.hpp"
+#include "spanline/model/camera.hpp"
+#include "spanline/model/fog.hpp"
+
+namespace spanline {
+
+/// Fog as a table over nearness, the quantity that runs linearly over the screen: near/z in perspective, the share of
+/// the depth range that is left in orthographic views. Nearness 1 is the near plane; each halving has 32 entries, so
+/// that a distance is known to 1 in 64.
+class FogTable {
+ public:
+  static constexpr unsigned halvings = 16, steps = 32;
+
+  void fill(const Fog& fog, const Camera& camera);
+
+  /// The fog's share in 255ths at a nearness in Q32.
+  [[nodiscard]] std::uint32_t at(std::uint32_t nearness) const {
+    const std::uint32_t value = nearness | least;
+    const int zeros = leading_zeros_32(value);
+    return shares_[word(zeros) * steps + ((value << zeros) >> 26) - steps];
+  }
+
+  /// Nearness of a depth in Q24, in 24 bits that keep off both ends.
+  [[nodiscard]] std::int32_t nearness(std::uint32_t depth) const;
+
+ private:
+  static constexpr std::uint32_t least = 1u << (32 - halvings);
+  std::array<std::uint8_t, halvings * steps> shares_{};
+  std::uint32_t slope_ = 0;  ///< fall of nearness over the whole of the depth range, Q32
+};
+
+/// What a frame does to every pixel, for shaders that can.
+struct FrameEffects {
+  FogTable fog;
+  Rgb888 fog_colour{};
+  bool fogged = false;
+  bool dither = false;
+};
+
+/// Ordered dither (Bayer's 4 × 4 matrix): how much of a step is added before rounding down, in 255ths; its mean over
+/// the matrix is a half.
+inline constexpr std::array<std::uint8_t, 16> dither_thresholds = [] {
+  constexpr std::uint8_t bayer[16] = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
+  std::array<std::uint8_t, 16> table{};
+  for (unsigned i = 0; i < 16; ++i) table[i] = static_cast<std::uint8_t>(((2 * bayer[i] + 1) * 255 + 16) / 32);
+  return table;
+}();
+
+}  // namespace spanline

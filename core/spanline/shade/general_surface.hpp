@@ -1,0 +1,79 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "spanline/model/texture.hpp"
+#include "spanline/raster/linear_function.hpp"
+#include "spanline/raster/span.hpp"
+#include "spanline/shade/frame_effects.hpp"
+#include "spanline/shade/shading_group.hpp"
+#include "spanline/shade/texture_plane.hpp"
+
+namespace spanline {
+
+/// The density of a texture on a polygon, for the choice of a mip level: texels a pixel each way, as a logarithm to the
+/// base 2 in 256ths. Over a plane in perspective a pixel's area in texels goes with 1/w³.
+struct TexelDensity {
+  std::int32_t of_polygon;  ///< √(texels / pixels) of the whole
+  std::int32_t at_w_of_1;   ///< where the word of w is 1
+
+  /// The nearest level: halves of its sizes go to the larger texture.
+  [[nodiscard]] static unsigned level(std::int32_t density, unsigned levels);
+  /// Density where the word of w is `w`; `otherwise` where that word means nothing.
+  [[nodiscard]] std::int32_t at(std::uint32_t w) const;
+};
+
+/// log2 of a value ≥ 1 in 256ths, good to 3 of them.
+[[nodiscard]] std::int32_t log2_in_256ths(std::uint32_t value);
+
+/// √(texels / pixels) of a triangle: corners on the screen in sixteenths and on the texture.
+[[nodiscard]] TexelDensity texel_density(const std::array<const ScreenVertex*, 3>& screen,
+                                         const std::array<TextureVertex, 3>& corners, const Texture& texture,
+                                         const TexturePlaneValues& values);
+
+/// One level of a texture and how it is read.
+struct TexelSource {
+  const Texture* texture;
+  std::size_t offset;  ///< of the level in the table
+  std::uint8_t level, log2_width, log2_height;
+
+  [[nodiscard]] static TexelSource of(const Texture& texture, unsigned level);
+};
+
+/// What `GeneralShader` keeps of a polygon: everything that a material and a frame can ask for, chosen pixel by pixel.
+struct GeneralSurface {
+  TexturePlane plane;
+  LinearFunction red, green, blue;  ///< of the lit surface, 8 bits on top
+  LinearFunction nearness;          ///< for fog
+  TexelDensity density;
+  const TexturedGroup* group;
+  bool textured;
+  std::uint16_t row;  ///< of the screen
+
+  void next_row() { skip_rows(1); }
+  void skip_rows(std::int32_t rows) {
+    plane.skip_rows(rows);
+    red.skip_rows(rows);
+    green.skip_rows(rows);
+    blue.skip_rows(rows);
+    nearness.skip_rows(rows);
+    row = static_cast<std::uint16_t>(row + rows);
+  }
+  /// The texture's level for the 16 columns of the screen around a column.
+  [[nodiscard]] TexelSource texels_at(std::int32_t column) const;
+};
+
+/// A pixel of a general surface: texture coordinates in 2^-16 texels of level 0, colours with 8 bits on top.
+struct GeneralPixel {
+  std::uint32_t u, v, red, green, blue, nearness;
+  std::int32_t column;  ///< of the screen
+};
+
+/// Whether there is anything: nearest texels alone decide.
+[[nodiscard]] bool general_pixel_present(const GeneralSurface& surface, const TexelSource& texels, std::uint32_t u,
+                                         std::uint32_t v);
+/// RGB565: the texture function over the lit colour (lecture 004), then fog, then rounding or dither.
+[[nodiscard]] std::uint16_t general_pixel(const GeneralSurface& surface, const TexelSource& texels,
+                                          const GeneralPixel& pixel);
+
+}  // namespace spanline

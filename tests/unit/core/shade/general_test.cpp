@@ -1,0 +1,280 @@
+// The shader for everything against formulas in floating point: fog, dither, mip levels, filters and texture functions.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "scenes/textured_wall.hpp"
+#include "shade/shading_scene.hpp"
+#include "spanline/shade/texel_reader.hpp"
+#include "support/effort.hpp"
+
+namespace spanline::test {
+namespace {
+
+template <class Depth = Depth16<>, class Visibility = ZBuffer>
+using GeneralAlone = RendererTraits<
+    Depth, Rgb565,
+    ShaderList<FlatShader<Rgb565>, GouraudShader<Rgb565>, GouraudColourShader<Rgb565>, GeneralShader<Rgb565>>, false,
+    Visibility>;
+
+constexpr Capacity wall_capacity{
+    .band_lines = 240, .colour_bands = 1, .vertices = 4, .shades = 4, .textures = 4, .polygons = 2, .active = 2};
+
+/// The benchmark's wall.
+template <class Traits>
+Picture<Traits> wall(const Material& material, const FrameSettings& settings, int band_lines = 240) {
+  Capacity capacity = wall_capacity;
+  capacity.band_lines = static_cast<std::uint16_t>(band_lines);
+  Studio<Traits> studio(capacity);
+  studio.begin(settings);
+  studio.add(scenes::textured_wall::mesh, {}, material);
+  auto picture = studio.draw();
+  EXPECT_TRUE(studio.status().ok()) << to_string(studio.status().fault);
+  return picture;
+}
+/// Its distance along the axis of view at a column.
+double wall_distance(int x) { return 3 / (1 - (x + 0.5 - 160) / 320); }
+/// Texture coordinates there.
+std::array<double, 2> wall_point(int x, int y) {
+  const double z = wall_distance(x), s = (z - 2) / 4, ray_y = (120 - (y + 0.5)) / 320;
+  return {s, 0.5 - (1.0 / 6 + s / 3) * ray_y / 0.375};
+}
+
+/// A texture that owns its texels.
+struct OwnTexture {
+  std::vector<std::uint16_t> words, palette;
+  std::vector<std::uint8_t> bytes;
+  Texture texture;
+
+  OwnTexture(Random& random, TexelFormat format, unsigned log2_width, unsigned log2_height, bool mips = false) {
+    texture.format = format;
+    texture.log2_width = static_cast<std::uint8_t>(log2_width);
+    texture.log2_height = static_cast<std::uint8_t>(log2_height);
+    if (mips) texture.levels = static_cast<std::uint8_t>(std::max(log2_width, log2_height) + 1);
+    const std::size_t size = texture.offset_of(texture.levels);
+    if (texture.has_palette()) {
+      for (std::size_t i = 0; i < size; ++i) bytes.push_back(static_cast<std::uint8_t>(random.between(0, 255)));
+      for (int i = 0; i < (format == TexelFormat::palette16 ? 16 : 256); ++i)
+        palette.push_back(static_cast<std::uint16_t>(random.between(0, 65535)));
+    } else {
+      for (std::size_t i = 0; i < size; ++i) words.push_back(static_cast<std::uint16_t>(random.between(0, 65535)));
+    }
+    texture.words = words;
+    texture.bytes = bytes;
+    texture.palette = palette;
+    EXPECT_EQ(validate(texture), TextureFault::none);
+  }
+};
+
+constexpr std::array<TexelFormat, 5> formats{TexelFormat::rgb565, TexelFormat::rgb565_cutout, TexelFormat::argb4444,
+                                             TexelFormat::palette16, TexelFormat::palette256};
+
+TEST(GeneralShader, ReplacingByNearestTexelsIsWhatTheFastShadersDoButForTheLastBitsOfCoordinates) {
+  Random random(41);
+  const OwnTexture own(random, TexelFormat::rgb565, 6, 6);
+  Material material{.texturing = {.texture = &own.texture, .function = TextureFunction::replace}};
+  const auto fast = wall<TextureTraits<>>(material, scenes::textured_wall::settings());
+  const auto general = wall<GeneralAlone<>>(material, scenes::textured_wall::settings());
+  int different = 0;
+  for (std::size_t i = 0; i < fast.pixels.size(); ++i) different += fast.pixels[i] != general.pixels[i];
+  EXPECT_LE(different, 76800 / 1000);
+}
+
+TEST(GeneralShader, EveryFormatShowsItsTexelsRepeatedOrClamped) {
+  Random random(42);
+  for (const TexelFormat format : formats)
+    for (const Wrap wrap : {Wrap::repeat, Wrap::clamp}) {
+      OwnTexture own(random, format, 4, 3);
+      own.texture.wrap_s = wrap;
+      Material material{.texturing = {.texture = &own.texture, .function = TextureFunction::replace}};
+      material.texture_matrix.ss = Q16_16::from_int(3);
+      material.texture_matrix.s0 = Q16_16::from_int(-1);
+      const auto picture = wall<GeneralAlone<>>(material, scenes::textured_wall::settings());
+      int wrong = 0;
+      for (int y = 0; y < 240; ++y)
+        for (int x = 0; x < 320; ++x) {
+          const auto [s, t] = wall_point(x, y);
+          int column = static_cast<int>(std::floor((3 * s - 1) * 16)), row = static_cast<int>(std::floor(t * 8)) & 7;
+          column = wrap == Wrap::repeat ? column & 15 : std::clamp(column, 0, 15);
+          const Texel texel =
+              read_texel(own.texture, static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row));
+          wrong += picture.pixels[picture.at(x, y)] != (texel.alpha >= 8 ? texel.rgb565 : 0);
+        }
+      EXPECT_LE(wrong, 76800 * 3 / 1000) << static_cast<int>(format);
+    }
+}
+
+TEST(GeneralShader, BilinearPixelsAreTheMeanOfFourTexels) {
+  Random random(43);
+  const OwnTexture own(random, TexelFormat::rgb565, 3, 3);
+  const Material material{
+      .texturing = {.texture = &own.texture, .function = TextureFunction::replace, .filter = TextureFilter::bilinear}};
+  const auto picture = wall<GeneralTraits<>>(material, scenes::textured_wall::settings());
+  for (int y = 0; y < 240; ++y)
+    for (int x = 0; x < 320; ++x) {
+      const auto [s, t] = wall_point(x, y);
+      const double u = s * 8 - 0.5, v = t * 8 - 0.5, right = u - std::floor(u), down = v - std::floor(v);
+      double red = 0, green = 0;
+      for (int i = 0; i < 4; ++i) {
+        const auto column = static_cast<std::uint32_t>(static_cast<int>(std::floor(u)) + i % 2) & 7,
+                   row = static_cast<std::uint32_t>(static_cast<int>(std::floor(v)) + i / 2) & 7;
+        const Channels texel(read_texel(own.texture, column, row).rgb565);
+        const double weight = (i % 2 ? right : 1 - right) * (i / 2 ? down : 1 - down);
+        red += texel.red * weight;
+        green += texel.green * weight;
+      }
+      const Channels shown(picture.pixels[picture.at(x, y)]);
+      // Half a step of the pixel, a hundredth of a texel, and the rounding of weights and channels.
+      ASSERT_LE(std::abs(shown.red - red), 0.5 + 0.7) << x << ", " << y;
+      ASSERT_LE(std::abs(shown.green - green), 0.5 + 1.2) << x << ", " << y;
+    }
+}
+
+TEST(GeneralShader, FogThickensWithTheDistanceAlongTheAxisOfView) {
+  FrameSettings settings = scenes::textured_wall::settings();
+  const Material black{.colour = {0, 0, 0}};
+  for (const FogCurve curve : {FogCurve::linear, FogCurve::exponential}) {
+    settings.fog = {curve, Q16_16::from_ratio(9, 4), Q16_16::from_int(5), {255, 255, 255}};
+    for (const auto& picture : {wall<GeneralTraits<>>(black, settings).pixels,
+                                wall<GeneralTraits<Rgb565, Depth24<>>>(black, settings).pixels}) {
+      double worst = 0;
+      for (int y = 0; y < 240; ++y)
+        for (int x = 0; x < 320; ++x) {
+          const double part = std::clamp((wall_distance(x) - 2.25) / 2.75, 0.0, 1.0);
+          const double share = curve == FogCurve::linear ? part : (1 - std::exp2(-6 * part)) * 64 / 63;
+          const double off = std::abs(Channels(picture[static_cast<std::size_t>(y * 320 + x)]).green / 63.0 - share);
+          // An entry of the table is a 64th of the distance, half of it to either side.
+          const double slope = curve == FogCurve::linear ? 1 / 2.75 : std::exp2(-6 * part) * 6 * std::log(2.0) / 2.75;
+          const double allowed = 1.0 / 126 + 0.004 + slope * wall_distance(x) / 60;
+          worst = std::max(worst, off / allowed);
+          ASSERT_LE(off, allowed) << x << ", " << y;
+        }
+      std::printf("fog is off by at most %.2f of what is allowed\n", worst);
+    }
+  }
+}
+
+TEST(GeneralShader, TheMeanOfTheDitherIsTheColour) {
+  Random random(44);
+  FrameSettings settings = scenes::textured_wall::settings();
+  settings.dither = true;
+  for (int i = 0; i < rounds(30); ++i) {
+    const Rgb888 colour = random_colour(random);
+    const auto picture = wall<GeneralTraits<>>({.colour = colour}, settings);
+    double red = 0, green = 0, blue = 0;
+    for (int y = 100; y < 104; ++y)
+      for (int x = 60; x < 64; ++x) {
+        const Channels shown(picture.pixels[picture.at(x, y)]);
+        red += shown.red / 31.0;
+        green += shown.green / 63.0;
+        blue += shown.blue / 31.0;
+      }
+    EXPECT_NEAR(red / 16, colour.red / 255.0, 0.0025);
+    EXPECT_NEAR(green / 16, colour.green / 255.0, 0.0025);
+    EXPECT_NEAR(blue / 16, colour.blue / 255.0, 0.0025);
+  }
+}
+
+TEST(GeneralShader, MipLevelsFollowTheDensityOfTexels) {
+  Random random(45);
+  OwnTexture own(random, TexelFormat::rgb565, 9, 9, true);
+  for (unsigned level = 0; level < own.texture.levels; ++level)
+    for (std::size_t i = 0; i < own.texture.level_size(level); ++i)
+      own.words[own.texture.offset_of(level) + i] = static_cast<std::uint16_t>(level + 1);
+  FrameSettings settings = scenes::textured_wall::settings();
+  for (const int scale : {1, 2, 5, 20, 200}) {
+    Material material{
+        .texturing = {.texture = &own.texture, .function = TextureFunction::replace, .mip_mapping = MipMapping::span}};
+    material.texture_matrix.ss = material.texture_matrix.tt = Q16_16::from_int(scale);
+    const auto picture = wall<GeneralTraits<>>(material, settings);
+    for (int y = 0; y < 240; ++y)
+      for (int x = 0; x < 320; ++x) {
+        // Texels a pixel each way: 128·scale a unit of the wall; the wall's area a pixel grows with z³.
+        const double z = wall_distance((x & ~15) + 8), along = 512.0 * scale / 4 * z * z / 3 / 320;
+        const double across = 512.0 * scale * (1.0 / 6 + (z - 2) / 4 / 3) / 0.375 / 320;
+        const double wanted = std::clamp(std::log2(along * across) / 2, 0.0, 9.0);
+        const int level = picture.pixels[picture.at(x, y)] - 1;
+        ASSERT_LE(std::abs(level - wanted), 0.5 + 0.06) << "scale " << scale << " at " << x << ", " << y;
+      }
+    // A level a polygon: one of those that its groups of columns show.
+    material.texturing.mip_mapping = MipMapping::polygon;
+    const auto by_polygon = wall<GeneralTraits<>>(material, settings);
+    for (const std::size_t at : {by_polygon.at(10, 120), by_polygon.at(300, 100)})
+      EXPECT_NEAR(by_polygon.pixels[at], picture.pixels[at], 2) << scale;
+  }
+}
+
+TEST(GeneralShader, TextureFunctionsFollowTheirFormulas) {
+  Random random(46);
+  for (int i = 0; i < rounds(40); ++i) {
+    OwnTexture own(random, TexelFormat::argb4444, 0, 0);
+    const Texel texel = read_texel(own.texture, 0, 0);
+    const Rgb888 surface = random_colour(random), blend = random_colour(random);
+    const double ct = Channels(texel.rgb565).green / 63.0, cf = surface.green / 255.0, alpha = texel.alpha / 15.0;
+    const std::array<std::pair<TextureFunction, double>, 4> functions{
+        {{TextureFunction::modulate, ct * cf},
+         {TextureFunction::replace, ct},
+         {TextureFunction::decal, ct * alpha + cf * (1 - alpha)},
+         {TextureFunction::blend, cf * (1 - ct) + blend.green / 255.0 * ct}}};
+    for (const auto& [function, wanted] : functions) {
+      const Material material{.colour = surface,
+                              .texturing = {.texture = &own.texture, .function = function, .blend_colour = blend}};
+      const auto picture = wall<GeneralTraits<>>(material, scenes::textured_wall::settings());
+      const bool there = function == TextureFunction::decal || texel.alpha >= 8;
+      EXPECT_NEAR(Channels(picture.pixels[picture.at(100, 120)]).green / 63.0, there ? wanted : 0, 0.5 / 63 + 0.006)
+          << static_cast<int>(function);
+    }
+  }
+}
+
+TEST(GeneralShader, BandsAndSpansDrawTheSameBytes) {
+  Random random(47);
+  for (int i = 0; i < rounds(40); ++i) {
+    const TexelFormat format = formats[random.chance(2) ? 0 : static_cast<std::size_t>(3 + random.between(0, 1))];
+    OwnTexture own(random, format, 5, 4, random.chance(2));
+    if (random.chance(2)) own.texture.wrap_t = Wrap::clamp;
+    RandomInstance::Wish wish{.closest = 0.5, .farthest = 6, .range_around = false, .vertices = 20};
+    wish.orthographic = random.chance(6);
+    RandomInstance instance(random, wish);
+    for (int v = 0; v < wish.vertices; ++v)
+      instance.owned.texture_coordinates.push_back({static_cast<std::int16_t>(random.between(-32768, 32767)),
+                                                    static_cast<std::int16_t>(random.between(-32768, 32767))});
+    instance.mesh = instance.owned.view();
+    FrameSettings settings;
+    settings.camera = instance.view.camera;
+    settings.cull = Cull::none;
+    settings.dither = random.chance(2);
+    if (random.chance(2))
+      settings.fog = {FogCurve::exponential, settings.camera.near_plane, settings.camera.far_plane,
+                      random_colour(random)};
+    Material material{.colour = random_colour(random)};
+    if (random.chance(2)) material.shading = ShadingMode::gouraud;
+    if (!random.chance(4)) material.texturing.texture = &own.texture;
+    material.texturing.function = static_cast<TextureFunction>(random.between(0, 3));
+    material.texturing.mip_mapping = static_cast<MipMapping>(random.between(0, 2));
+    if (random.chance(2)) material.texturing.filter = TextureFilter::bilinear;
+    const auto draw = [&]<class Traits>(int lines, Traits*) {
+      Capacity capacity = mesh_capacity(instance.view.viewport.width, instance.view.viewport.height, 1,
+                                        instance.mesh.vertex_count(), instance.mesh.triangle_count());
+      capacity.band_lines = static_cast<std::uint16_t>(std::min<int>(lines, capacity.height));
+      capacity.active = capacity.polygons;
+      Studio<Traits> studio(capacity);
+      studio.begin(settings);
+      studio.add(instance.mesh, instance.transform, material);
+      auto pixels = studio.draw().pixels;
+      EXPECT_TRUE(studio.status().ok()) << to_string(studio.status().fault) << to_string(studio.status().pool);
+      return pixels;
+    };
+    using ByBuffer = GeneralTraits<Rgb565, Depth24<>>;
+    using BySpans = GeneralTraits<Rgb565, Depth24<>, false, Spanning>;
+    const auto whole = draw(4096, static_cast<ByBuffer*>(nullptr));
+    for (const int lines : {1, 13}) EXPECT_EQ(draw(lines, static_cast<ByBuffer*>(nullptr)), whole) << lines;
+    EXPECT_EQ(draw(16, static_cast<BySpans*>(nullptr)), whole);
+    ASSERT_FALSE(HasFailure()) << "round " << i;
+  }
+}
+
+}  // namespace
+}  // namespace spanline::test
