@@ -10,6 +10,8 @@
 #include "convert/flash_mesh.hpp"
 #include "convert/header_writer.hpp"
 #include "convert/memory_report.hpp"
+#include "convert/texture_writer.hpp"
+#include "image/image_file.hpp"
 #include "import/model_file.hpp"
 #include "scene/scene.hpp"
 #include "spanline/model/validate.hpp"
@@ -20,9 +22,15 @@ namespace {
 class ConvertCommand final : public Command {
  public:
   void declare(CLI::App& app) override {
-    app.add_option("MODEL", model_, "OBJ, glTF/GLB, PLY or STL")->required();
+    app.add_option("MODEL", model_, "OBJ, glTF/GLB, PLY or STL; or an image, PNG or JPEG, for a texture")->required();
     app.add_option("-o", output_, "the header")->type_name("mesh.hpp")->required();
-    app.add_option("--name", name_, "name of the mesh (by default the header's)")->type_name("NAME");
+    app.add_option("--name", name_, "name of the mesh or texture (by default the header's)")->type_name("NAME");
+    app.add_flag("--textured", textured_, "keeps the model's texture coordinates");
+    app.add_option("--format", format_, "of texels: rgb565 (default), rgb565-cutout, argb4444, palette16, palette256")
+        ->type_name("NAME");
+    app.add_flag("--mipmap", mip_map_, "with all smaller levels of the texture");
+    app.add_flag("--resize", resize_, "makes the image's sides powers of two that a texture may have");
+    app.add_option("--wrap", wrap_, "beyond the texture's edge: repeat (default) or clamp")->type_name("repeat|clamp");
     app.add_flag("--bsp", bsp_, "with a BSP tree (not available yet)");
     app.add_option("--simplify", simplify_, "to at most N triangles (not available yet)")->type_name("N");
   }
@@ -33,6 +41,9 @@ class ConvertCommand final : public Command {
     if (name_ && !is_identifier(*name_)) throw UsageError("--name: '" + *name_ + "' is no name for a C++ object");
     if (output_.empty()) throw UsageError("-o: the name is empty");
     if (same_file(output_, model_)) throw UsageError("-o names the model itself");
+    if (is_image_name(model_)) return convert_image();
+    if (format_ || mip_map_ || resize_ || wrap_)
+      throw UsageError("--format, --mipmap, --resize and --wrap go with an image");
     OutputFile file(output_);
     const Scene scene = load();
     const CoreMesh mesh = to_valid_mesh(scene);
@@ -48,8 +59,26 @@ class ConvertCommand final : public Command {
   }
 
  private:
+  void convert_image() const {
+    if (textured_) throw UsageError("--textured goes with a model");
+    TextureOptions options{.mip_map = mip_map_, .resize = resize_};
+    if (format_) options.format = find_texel_format("--format", *format_);
+    const Wrap wrap = wrap_ ? parse_wrap("--wrap", *wrap_) : Wrap::repeat;
+    OutputFile file(output_);
+    TextureImage texture = read_texture(model_, options);
+    texture.shape.wrap_s = texture.shape.wrap_t = wrap;
+    file.write(write_texture_header(texture, name_.value_or(identifier_from(output_)),
+                                    std::filesystem::path(model_).filename().string()));
+    file.commit();
+    std::fputs(texture_report(texture).c_str(), stdout);
+  }
+
   [[nodiscard]] Scene load() const {
     Scene scene = import_model(model_);
+    if (!textured_)
+      scene.texture_points.clear();
+    else if (scene.texture_points.empty())
+      throw file_failure(model_, "has no texture coordinates");
     complete_vertex_normals(scene);
     complete_polygon_colours(scene);
     return welded(scene);
@@ -70,8 +99,8 @@ class ConvertCommand final : public Command {
   }
 
   std::string model_, output_;
-  std::optional<std::string> name_, simplify_;
-  bool bsp_ = false;
+  std::optional<std::string> name_, simplify_, format_, wrap_;
+  bool bsp_ = false, textured_ = false, mip_map_ = false, resize_ = false;
 };
 
 }  // namespace

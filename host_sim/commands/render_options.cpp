@@ -66,9 +66,16 @@ void add_drawing_options(CLI::App& command, RenderTexts& texts) {
   command.add_option("--pick", texts.pick, "prints the triangle at a pixel, numbered from 1, and its depth")
       ->type_name("X,Y")
       ->group(group);
-  command.add_option("--texture", texts.texture, "a PNG for --shade texture, sides powers of two")
-      ->type_name("FILE")
+  command.add_option("--texture", texts.texture, "PNG or JPEG for --shade texture")->type_name("FILE")->group(group);
+  command.add_option("--filter", texts.filter, "of the texture (nearest)")->type_name("nearest|bilinear")->group(group);
+  command.add_flag("--mipmap", texts.mipmap, "the texture has smaller levels for what is far")->group(group);
+  command.add_option("--wrap", texts.wrap, "beyond the texture's edge (repeat)")
+      ->type_name("repeat|clamp")
       ->group(group);
+  command.add_option("--fog", texts.fog, "from clear at NEAR to the colour alone at FAR, in world units")
+      ->type_name("NEAR,FAR,RRGGBB")
+      ->group(group);
+  command.add_flag("--dither", texts.dither, "ordered dither to RGB565")->group(group);
   command.add_option("--panel", texts.panel, "through that panel's driver and model, at its size")
       ->type_name("NAME")
       ->group(group);
@@ -89,21 +96,11 @@ void add_later_options(CLI::App& command, RenderTexts& texts) {
   const std::string group = "Not available yet";
   command.add_option("--structure", texts.structure, "for ray")->type_name("grid|octree|kd|bsp")->group(group);
   command.add_flag("--wireframe", texts.wireframe)->group(group);
-  command.add_option("--filter", texts.filter)->type_name("nearest|bilinear")->group(group);
-  command.add_flag("--mipmap", texts.mipmap)->group(group);
-  command.add_option("--wrap", texts.wrap)->type_name("repeat|clamp")->group(group);
-  command.add_option("--fog", texts.fog)->type_name("NEAR,FAR,RRGGBB")->group(group);
-  command.add_flag("--dither", texts.dither)->group(group);
 }
 
 void refuse_later_options(const RenderTexts& texts) {
-  const std::array<std::pair<const char*, bool>, 7> later{{{"--structure", texts.structure.has_value()},
-                                                           {"--wireframe", texts.wireframe},
-                                                           {"--filter", texts.filter.has_value()},
-                                                           {"--mipmap", texts.mipmap},
-                                                           {"--wrap", texts.wrap.has_value()},
-                                                           {"--fog", texts.fog.has_value()},
-                                                           {"--dither", texts.dither}}};
+  const std::array<std::pair<const char*, bool>, 2> later{
+      {{"--structure", texts.structure.has_value()}, {"--wireframe", texts.wireframe}}};
   for (const auto& [name, given] : later)
     if (given) throw NotAvailable(name);
 }
@@ -128,6 +125,16 @@ std::optional<Vector3> optional_vector(const std::string& option, const RenderTe
   return text ? std::optional(parse_vector(option, *text)) : std::nullopt;
 }
 
+FogRequest parse_fog(const std::string& text) {
+  const std::size_t first = text.find(','), second = first == std::string::npos ? first : text.find(',', first + 1);
+  if (second == std::string::npos) throw UsageError("--fog: '" + text + "' is not NEAR,FAR,RRGGBB");
+  const FogRequest fog{parse_number("--fog", text.substr(0, first)),
+                       parse_number("--fog", text.substr(first + 1, second - first - 1)),
+                       parse_colour("--fog", text.substr(second + 1))};
+  if (fog.start < 0 || fog.end <= fog.start) throw UsageError("--fog: NEAR must not be below 0, and FAR beyond it");
+  return fog;
+}
+
 ViewRequest parse_view(const RenderTexts& texts) {
   ViewRequest request;
   request.eye = optional_vector("--eye", texts.eye);
@@ -141,6 +148,21 @@ ViewRequest parse_view(const RenderTexts& texts) {
   return request;
 }
 
+void parse_texturing(const RenderTexts& texts, RenderArguments& arguments) {
+  if ((texts.filter || texts.mipmap || texts.wrap) && !arguments.texture)
+    throw UsageError("--filter, --mipmap and --wrap want a texture (--texture FILE)");
+  if (texts.filter)
+    arguments.filter = parse_choice(
+        "--filter", *texts.filter,
+        std::array{std::pair{"nearest", TextureFilter::nearest}, std::pair{"bilinear", TextureFilter::bilinear}});
+  arguments.mip_map = texts.mipmap;
+  if (texts.wrap)
+    arguments.wrap = parse_choice("--wrap", *texts.wrap,
+                                  std::array{std::pair{"repeat", Wrap::repeat}, std::pair{"clamp", Wrap::clamp}});
+  arguments.dither = texts.dither;
+  if (texts.fog) arguments.fog = parse_fog(*texts.fog);
+}
+
 void parse_drawing(const RenderTexts& texts, RenderArguments& arguments) {
   using Sense = DepthSense;
   if (texts.size) arguments.size = parse_size("--size", *texts.size);
@@ -150,6 +172,7 @@ void parse_drawing(const RenderTexts& texts, RenderArguments& arguments) {
   if (arguments.shading == nullptr && arguments.texture) arguments.shading = &find_shading("texture");
   if (arguments.shading != nullptr && arguments.shading->textured && !arguments.texture)
     throw UsageError("--shade texture: wants a texture (--texture FILE)");
+  parse_texturing(texts, arguments);
   if (texts.depth)
     arguments.depth_bits = parse_choice("--depth", *texts.depth, std::array{std::pair{"16", 16}, std::pair{"24", 24}});
   if (texts.depth_sense)

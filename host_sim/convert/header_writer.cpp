@@ -67,6 +67,8 @@ void append_tables(std::string& text, const CoreMesh& mesh) {
   append_table(text, "spanline::PackedNormal", "vertex_normals", mesh.vertex_normals, normal_text);
   append_table(text, "spanline::Rgb888", "polygon_colours", mesh.polygon_colours, colour_text);
   append_table(text, "spanline::Rgb888", "vertex_colours", mesh.vertex_colours, colour_text);
+  append_table(text, "spanline::TextureCoordinate", "texture_coordinates", mesh.texture_coordinates,
+               [](TextureCoordinate c) { return "{" + std::to_string(c.s) + ", " + std::to_string(c.t) + "}"; });
 }
 
 void append_mesh(std::string& text, const CoreMesh& mesh, const std::string& name) {
@@ -74,13 +76,14 @@ void append_mesh(std::string& text, const CoreMesh& mesh, const std::string& nam
   const std::vector<TableSize> filled = table_sizes(mesh);
   // Empty tables are named too: compilers warn of members without an initialiser.
   for (const std::string table : {"vertices", "wide_vertices", "indices", "corners", "polygon_normals",
-                                  "vertex_normals", "polygon_colours", "vertex_colours"}) {
+                                  "vertex_normals", "polygon_colours", "vertex_colours", "texture_coordinates"}) {
     const bool present = std::any_of(filled.begin(), filled.end(), [&](const TableSize& t) { return t.name == table; });
     text += "    ." + table + " = " + (present ? name + "_tables::" + table : "{}") + ",\n";
   }
   const auto& centre = mesh.bounds.centre;
   text += "    .offset = " + triple(mesh.offset.x, mesh.offset.y, mesh.offset.z) + ",\n";
   text += "    .step_exponent = " + std::to_string(mesh.step_exponent) + ",\n";
+  text += "    .texture_exponent = " + std::to_string(mesh.texture_exponent) + ",\n";
   text += "    .bounds = {.centre = " + triple(centre.x, centre.y, centre.z) +
           ", .radius = " + std::to_string(mesh.bounds.radius) + "},\n};\n";
 }
@@ -105,6 +108,7 @@ std::vector<TableSize> table_sizes(const CoreMesh& mesh) {
   add("vertex_normals", mesh.vertex_normals);
   add("polygon_colours", mesh.polygon_colours);
   add("vertex_colours", mesh.vertex_colours);
+  add("texture_coordinates", mesh.texture_coordinates);
   return sizes;
 }
 

@@ -10,14 +10,12 @@
 namespace spanline::sim {
 namespace {
 
-static_assert(sizeof(Rgb888) == 3, "pictures are handed to libspng as they are");
+static_assert(sizeof(Rgb888) == 3 && sizeof(Rgba8888) == 4, "pictures are handed to libspng as they are");
 
 struct Release {
   void operator()(spng_ctx* context) const { spng_ctx_free(context); }
   void operator()(void* memory) const { std::free(memory); }
 };
-
-constexpr std::uint32_t greatest_side = 16384;
 
 void check(int error) {
   if (error != 0) throw Failure(std::string("PNG: ") + spng_strerror(error));
@@ -45,17 +43,32 @@ std::vector<std::byte> encode_png(const Picture& picture) {
   return {bytes, bytes + size};
 }
 
-Picture decode_png(std::span<const std::byte> bytes) {
+namespace {
+
+/// `Image` has a width, a height and pixels as `format` writes them.
+template <class Image>
+Image decode(std::span<const std::byte> bytes, spng_format format) {
   const std::unique_ptr<spng_ctx, Release> context(spng_ctx_new(0));
   if (!context) throw Failure("PNG: out of memory");
-  check(spng_set_image_limits(context.get(), greatest_side, greatest_side));
+  check(spng_set_image_limits(context.get(), greatest_image_side, greatest_image_side));
   check(spng_set_png_buffer(context.get(), bytes.data(), bytes.size()));
   spng_ihdr header{};
   check(spng_get_ihdr(context.get(), &header));
-  Picture picture(static_cast<int>(header.width), static_cast<int>(header.height));
-  check(spng_decode_image(context.get(), picture.pixels.data(), picture.pixels.size() * sizeof(Rgb888), SPNG_FMT_RGB8,
-                          0));
-  return picture;
+  check_image_size(header.width, header.height);
+  Image image;
+  image.width = static_cast<int>(header.width);
+  image.height = static_cast<int>(header.height);
+  image.pixels.resize(std::size_t{header.width} * header.height);
+  check(spng_decode_image(context.get(), image.pixels.data(), image.pixels.size() * sizeof(image.pixels[0]), format,
+                          SPNG_DECODE_TRNS));
+  check(spng_decode_chunks(context.get()));  // to the end: a file that is cut off is refused
+  return image;
 }
+
+}  // namespace
+
+Picture decode_png(std::span<const std::byte> bytes) { return decode<Picture>(bytes, SPNG_FMT_RGB8); }
+
+ImageRgba decode_png_rgba(std::span<const std::byte> bytes) { return decode<ImageRgba>(bytes, SPNG_FMT_RGBA8); }
 
 }  // namespace spanline::sim

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "image/image_file.hpp"
 #include "image/picture.hpp"
 
 namespace spanline::sim {
@@ -12,5 +13,8 @@ namespace spanline::sim {
 
 /// Reads any PNG as 8-bit RGB (alpha dropped); throws Failure that says what is wrong, without a file's name.
 [[nodiscard]] Picture decode_png(std::span<const std::byte> bytes);
+
+/// The same with alpha.
+[[nodiscard]] ImageRgba decode_png_rgba(std::span<const std::byte> bytes);
 
 }  // namespace spanline::sim

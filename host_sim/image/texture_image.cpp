@@ -1,62 +1,142 @@
 #include "image/texture_image.hpp"
 
+#include <algorithm>
+#include <array>
 #include <bit>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <cmath>
 
 #include "base/failure.hpp"
-#include "image/png.hpp"
+#include "image/palette.hpp"
 #include "spanline/shade/pixel_format.hpp"
 
 namespace spanline::sim {
 namespace {
 
-/// More than any PNG of 2048 × 2048 pixels takes.
-constexpr std::uintmax_t greatest_file = std::uintmax_t{64} << 20;
-
-std::vector<std::byte> read_bytes(const std::string& path) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) throw file_failure(path, "is no file that can be read");
-  if (std::filesystem::file_size(path, error) > greatest_file) throw file_failure(path, "is too large for a texture");
-  std::ifstream file(path, std::ios::binary);
-  const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
-  if (!file) throw file_failure(path, "cannot be read");
-  const auto* data = reinterpret_cast<const std::byte*>(bytes.data());
-  return {data, data + bytes.size()};
+/// What an interval of the source's columns or rows adds up to, weighted by alpha: a box filter both ways.
+Rgba8888 mean(const ImageRgba& image, double left, double right, double top, double bottom) {
+  std::array<double, 3> sum{};
+  double alpha = 0, area = 0;
+  for (int y = static_cast<int>(top); y < image.height && y < bottom; ++y)
+    for (int x = static_cast<int>(left); x < image.width && x < right; ++x) {
+      const double weight = (std::min<double>(x + 1, right) - std::max<double>(x, left)) *
+                            (std::min<double>(y + 1, bottom) - std::max<double>(y, top));
+      const Rgba8888& pixel = image.at(x, y);
+      const double covered = weight * pixel.alpha;
+      sum[0] += covered * pixel.colour.red;
+      sum[1] += covered * pixel.colour.green;
+      sum[2] += covered * pixel.colour.blue;
+      alpha += covered;
+      area += weight;
+    }
+  const auto channel = [](double value) { return static_cast<std::uint8_t>(std::lround(value)); };
+  if (alpha <= 0 || area <= 0) return {{0, 0, 0}, 0};
+  return {{channel(sum[0] / alpha), channel(sum[1] / alpha), channel(sum[2] / alpha)}, channel(alpha / area)};
 }
 
-Picture read_picture(const std::string& path) {
-  const std::vector<std::byte> bytes = read_bytes(path);
-  try {
-    return decode_png(bytes);
-  } catch (const Failure& failure) {
-    throw file_failure(path, failure.what());
+ImageRgba resized(const ImageRgba& image, int width, int height) {
+  ImageRgba result{width, height, {}};
+  result.pixels.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  const double across = static_cast<double>(image.width) / width, down = static_cast<double>(image.height) / height;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      result.pixels.push_back(mean(image, x * across, (x + 1) * across, y * down, (y + 1) * down));
+  return result;
+}
+
+/// The nearest power of two in proportion that a texture may have.
+int allowed_side(int side) {
+  const double log2 = std::round(std::log2(std::max(1, side)));
+  return 1 << static_cast<int>(std::min<double>(log2, Texture::max_log2_size));
+}
+
+std::string size_text(const ImageRgba& image) {
+  return std::to_string(image.width) + "x" + std::to_string(image.height);
+}
+
+ImageRgba with_allowed_size(ImageRgba image, bool resize) {
+  const auto is_power = [](int side) { return side > 0 && std::has_single_bit(static_cast<unsigned>(side)); };
+  if (resize) {
+    int width = allowed_side(image.width), height = allowed_side(image.height);
+    while (static_cast<long>(width) * height > 1l << Texture::max_log2_texels) {
+      width = std::max(1, width / 2);
+      height = std::max(1, height / 2);
+    }
+    if (width != image.width || height != image.height) image = resized(image, width, height);
+    return image;
   }
+  if (!is_power(image.width) || !is_power(image.height))
+    throw Failure("is " + size_text(image) + "; the sides of a texture are powers of two (--resize makes them so)");
+  if (image.width > 1 << Texture::max_log2_size || image.height > 1 << Texture::max_log2_size ||
+      static_cast<long>(image.width) * image.height > 1l << Texture::max_log2_texels)
+    throw Failure("is " + size_text(image) + "; a texture is not " + to_string(TextureFault::too_large) +
+                  " (--resize halves it)");
+  return image;
+}
+
+std::uint16_t word_of(const Rgba8888& pixel, TexelFormat format) {
+  const std::uint16_t rgb565 = Rgb565::from(pixel.colour);
+  if (format == TexelFormat::rgb565_cutout)
+    return static_cast<std::uint16_t>((rgb565 & ~0x20) | (pixel.alpha >= 128 ? 0x20 : 0));
+  if (format != TexelFormat::argb4444) return rgb565;
+  const auto four_bits = [](unsigned value) { return (value * 15 + 127) / 255; };
+  return static_cast<std::uint16_t>(four_bits(pixel.alpha) << 12 | four_bits(pixel.colour.red) << 8 |
+                                    four_bits(pixel.colour.green) << 4 | four_bits(pixel.colour.blue));
+}
+
+void append_level(TextureImage& texture, const ImageRgba& level, const Palette& palette) {
+  const TexelFormat format = texture.shape.format;
+  if (!texture.shape.has_palette()) {
+    for (const Rgba8888& pixel : level.pixels) texture.words.push_back(word_of(pixel, format));
+    return;
+  }
+  for (int y = 0; y < level.height; ++y)
+    for (int x = 0; x < level.width; ++x) {
+      const auto index = static_cast<std::uint8_t>(palette.nearest(level.at(x, y).colour));
+      if (format == TexelFormat::palette256 || x % 2 == 0)
+        texture.bytes.push_back(index);
+      else
+        texture.bytes.back() = static_cast<std::uint8_t>(texture.bytes.back() | index << 4);
+    }
 }
 
 }  // namespace
 
 Texture TextureImage::view() const {
-  Texture texture;
-  texture.log2_width = static_cast<std::uint8_t>(log2_width);
-  texture.log2_height = static_cast<std::uint8_t>(log2_height);
+  Texture texture = shape;
   texture.words = words;
+  texture.bytes = bytes;
+  texture.palette = palette;
   return texture;
 }
 
-TextureImage read_texture(const std::string& path) {
-  const Picture picture = read_picture(path);
-  const auto width = static_cast<unsigned>(picture.width), height = static_cast<unsigned>(picture.height);
-  const std::string size = std::to_string(width) + "x" + std::to_string(height);
-  if (!std::has_single_bit(width) || !std::has_single_bit(height))
-    throw file_failure(path, "is " + size + "; the sides of a texture are powers of two");
-  TextureImage image{
-      static_cast<unsigned>(std::countr_zero(width)), static_cast<unsigned>(std::countr_zero(height)), {}};
-  for (const Rgb888 colour : picture.pixels) image.words.push_back(Rgb565::from(colour));
-  if (const TextureFault fault = validate(image.view()); fault != TextureFault::none)
-    throw file_failure(path, "is " + size + "; a texture is not " + to_string(fault));
-  return image;
+TextureImage make_texture(ImageRgba image, const TextureOptions& options) {
+  image = with_allowed_size(std::move(image), options.resize);
+  TextureImage texture;
+  texture.shape.format = options.format;
+  texture.shape.log2_width = static_cast<std::uint8_t>(std::countr_zero(static_cast<unsigned>(image.width)));
+  texture.shape.log2_height = static_cast<std::uint8_t>(std::countr_zero(static_cast<unsigned>(image.height)));
+  if (options.mip_map)
+    texture.shape.levels = static_cast<std::uint8_t>(std::max(texture.shape.log2_width, texture.shape.log2_height) + 1);
+  Palette palette;
+  if (texture.shape.has_palette()) {
+    palette = Palette::of(image, options.format == TexelFormat::palette16 ? 16 : 256);
+    for (const Rgb888 colour : palette.colours()) texture.palette.push_back(Rgb565::from(colour));
+  }
+  append_level(texture, image, palette);
+  for (unsigned level = 1; level < texture.shape.levels; ++level) {
+    image = resized(image, std::max(1, image.width / 2), std::max(1, image.height / 2));
+    append_level(texture, image, palette);
+  }
+  return texture;
+}
+
+TextureImage read_texture(const std::string& path, const TextureOptions& options) {
+  ImageRgba image = read_image(path);
+  try {
+    return make_texture(std::move(image), options);
+  } catch (const Failure& failure) {
+    throw file_failure(path, failure.what());
+  }
 }
 
 }  // namespace spanline::sim

@@ -3,20 +3,33 @@
 #include <string>
 #include <vector>
 
+#include "image/image_file.hpp"
 #include "spanline/model/texture.hpp"
 
 namespace spanline::sim {
 
 /// A texture of the core that owns its texels.
 struct TextureImage {
-  unsigned log2_width = 0, log2_height = 0;
-  std::vector<std::uint16_t> words;  ///< RGB565
+  Texture shape;  ///< without its tables
+  std::vector<std::uint16_t> words, palette;
+  std::vector<std::uint8_t> bytes;
 
+  /// The texture, good for as long as this lives.
   [[nodiscard]] Texture view() const;
+  [[nodiscard]] std::size_t flash_bytes() const { return words.size() * 2 + bytes.size() + palette.size() * 2; }
 };
 
-/// Reads a PNG file as RGB565, channels rounded. Throws Failure that names the file where it cannot be read, is no PNG,
-/// or has sides that a texture cannot have.
-[[nodiscard]] TextureImage read_texture(const std::string& path);
+struct TextureOptions {
+  TexelFormat format = TexelFormat::rgb565;
+  bool mip_map = false;  ///< the whole pyramid
+  bool resize = false;   ///< sides that are no powers of two go to the next, and those beyond the limits are halved
+};
+
+/// Quantises an image: channels are rounded, palettes chosen by median cut over level 0. A mip level's texel is the
+/// mean of the four above it, weighted by their alpha. Throws Failure for sides that a texture cannot have.
+[[nodiscard]] TextureImage make_texture(ImageRgba image, const TextureOptions& options);
+
+/// Reads a PNG or JPEG file. Throws Failure that names the file.
+[[nodiscard]] TextureImage read_texture(const std::string& path, const TextureOptions& options);
 
 }  // namespace spanline::sim

@@ -164,6 +164,8 @@ class FrameDrawing {
     const bool smooth = request.smooth && !(first.vertex_normals.empty() && first.vertex_colours.empty());
     Material material{first.colour, smooth ? ShadingMode::gouraud : ShadingMode::flat};
     material.texturing.texture = request.texture;
+    material.texturing.filter = request.filter;
+    if (request.mip_map) material.texturing.mip_mapping = MipMapping::span;
     material.transparency = request.transparency;
     for (const CoreMesh& mesh : meshes) {
       material.opacity = mesh.opacity;
@@ -179,7 +181,7 @@ class FrameDrawing {
     if (see_through_)
       draw_colours<SeeThroughTraits<Rgb565, Depth, true, Visibility>>(frame);
     else
-      draw_colours<TextureTraits<Rgb565, Depth, true, Visibility>>(frame);
+      draw_colours<GeneralTraits<Rgb565, Depth, true, Visibility>>(frame);
     if (request_.want_ids || request_.want_statistics) draw_ids(frame);
     return frame;
   }
@@ -198,6 +200,8 @@ class FrameDrawing {
     settings_.lighting = {to_fixed<Fixed<16>>(request_.light.ambient), lights};
     settings_.background = request_.background;
     settings_.cull = request_.cull;
+    settings_.fog = request_.fog;
+    settings_.dither = request_.dither;
   }
 
   template <class Traits>

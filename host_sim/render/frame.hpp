@@ -24,6 +24,10 @@ struct FrameRequest {
   Cull cull = Cull::back;
   bool smooth = false;               ///< Gouraud
   const Texture* texture = nullptr;  ///< on meshes with texture coordinates; stays until the frame is drawn
+  TextureFilter filter = TextureFilter::nearest;
+  bool mip_map = false;  ///< a level for each 16 columns of a line
+  Fog fog;
+  bool dither = false;
   Camera camera;
   SceneLight light;
   Rgb888 background;

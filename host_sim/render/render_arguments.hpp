@@ -7,6 +7,7 @@
 #include "panels/panel_registry.hpp"
 #include "registry/registry.hpp"
 #include "scene/view.hpp"
+#include "scene/world.hpp"
 #include "spanline/frame/renderer.hpp"
 
 namespace spanline::sim {
@@ -19,7 +20,11 @@ struct RenderArguments {
   const VisibilityEntry* visibility = nullptr;
   const ShadingEntry* shading = nullptr;  ///< nullptr: by what the model has
   std::optional<std::string> texture;     ///< a file; used where the shading is textured
-  std::optional<int> depth_bits;          ///< by the algorithm where it is not given
+  TextureFilter filter = TextureFilter::nearest;
+  bool mip_map = false, dither = false;
+  Wrap wrap = Wrap::repeat;
+  std::optional<FogRequest> fog;
+  std::optional<int> depth_bits;  ///< by the algorithm where it is not given
   DepthSense depth_sense = DepthSense::smaller_is_nearer;
   int band_lines = 16;
   Cull cull = Cull::back;

@@ -45,6 +45,10 @@ FrameRequest make_request(const RenderArguments& arguments, const ShadingEntry& 
   request.depth_sense = arguments.depth_sense;
   request.cull = arguments.cull;
   request.smooth = shading.smooth;
+  request.filter = arguments.filter;
+  request.mip_map = arguments.mip_map;
+  request.dither = arguments.dither;
+  if (arguments.fog) request.fog = to_fog(*arguments.fog, view, world);
   request.camera = to_camera(view, world, arguments.size);
   request.light = shading.lit ? light : SceneLight{};
   request.background = arguments.background;

@@ -12,11 +12,15 @@ Studio::Studio(const RenderArguments& arguments) : arguments_(arguments), scene_
   shading_ = arguments.shading != nullptr ? arguments.shading : &default_shading(scene_);
   if (shading_->textured) {
     if (scene_.texture_points.empty()) throw file_failure(arguments.model, "has no texture coordinates");
-    image_ = read_texture(*arguments.texture);
+    image_ = read_texture(*arguments.texture, {.mip_map = arguments.mip_map});
+    image_.shape.wrap_s = image_.shape.wrap_t = arguments.wrap;
     texture_ = image_.view();
   }
   fade(scene_, arguments.opacity);
-  if (shading_->textured && is_see_through(scene_)) throw NotAvailable("--shade texture on what is seen through");
+  if (is_see_through(scene_)) {
+    if (shading_->textured) throw NotAvailable("--shade texture on what is seen through");
+    if (arguments.fog || arguments.dither) throw NotAvailable("--fog and --dither on what is seen through");
+  }
   scene_ = prepared_for(std::move(scene_), *shading_);
   view_ = resolve_view(arguments.view, scene_, arguments.size, arguments.turntable_frames > 0);
   light_ = resolve_light(arguments.lights, arguments.ambient, view_);

@@ -13,16 +13,6 @@ namespace {
 constexpr int wide_step_exponent = -16;
 constexpr std::uint32_t no_vertex = std::numeric_limits<std::uint32_t>::max();
 
-/// The finest unit of texture coordinates that 16 bits allow, from 2^-14 on.
-int texture_exponent_for(const std::vector<TexturePoint>& points) {
-  double greatest = 0;
-  for (const TexturePoint& p : points) greatest = std::max({greatest, std::fabs(p.s), std::fabs(p.t)});
-  int exponent = -14;
-  while (std::ldexp(greatest, -exponent) > 32767) ++exponent;
-  if (exponent > -5) throw Failure("the model repeats its texture more than a thousand times");
-  return exponent;
-}
-
 /// Fills one mesh after the other with the scene's triangles.
 class MeshCutter {
  public:
@@ -74,11 +64,7 @@ class MeshCutter {
     if (!scene_.vertex_normals.empty()) mesh_.vertex_normals.push_back(to_packed_normal(scene_.vertex_normals[vertex]));
     if (!scene_.vertex_colours.empty()) mesh_.vertex_colours.push_back(scene_.vertex_colours[vertex]);
     if (!scene_.texture_points.empty()) {
-      const TexturePoint on_texture = scene_.texture_points[vertex];
-      const auto units = [&](double v) {
-        return static_cast<std::int16_t>(std::lround(std::ldexp(v, -texture_exponent_)));
-      };
-      mesh_.texture_coordinates.push_back({units(on_texture.s), units(on_texture.t)});
+      mesh_.texture_coordinates.push_back(to_coordinate(scene_.texture_points[vertex], texture_exponent_));
     }
     return local_[vertex];
   }
@@ -106,6 +92,20 @@ class MeshCutter {
 };
 
 }  // namespace
+
+int texture_exponent_for(const std::vector<TexturePoint>& points) {
+  double greatest = 0;
+  for (const TexturePoint& p : points) greatest = std::max({greatest, std::fabs(p.s), std::fabs(p.t)});
+  int exponent = -14;
+  while (std::ldexp(greatest, -exponent) > 32767) ++exponent;
+  if (exponent > -5) throw Failure("the model repeats its texture more than a thousand times");
+  return exponent;
+}
+
+TextureCoordinate to_coordinate(TexturePoint point, int texture_exponent) {
+  const auto units = [&](double v) { return static_cast<std::int16_t>(std::lround(std::ldexp(v, -texture_exponent))); };
+  return {units(point.s), units(point.t)};
+}
 
 Mesh CoreMesh::view() const {
   Mesh mesh;

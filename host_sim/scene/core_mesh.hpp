@@ -36,4 +36,8 @@ struct CoreMesh {
 /// A sphere around all points: the centre of their box, and the farthest of them, rounded up. |component| ≤ 2^30.
 [[nodiscard]] BoundingSphere bounding_sphere(const std::vector<Vec3<std::int64_t>>& points);
 
+/// The finest unit of texture coordinates that 16 bits allow, from 2^-14 textures on. Throws Failure.
+[[nodiscard]] int texture_exponent_for(const std::vector<TexturePoint>& points);
+[[nodiscard]] TextureCoordinate to_coordinate(TexturePoint point, int texture_exponent);
+
 }  // namespace spanline::sim

@@ -77,4 +77,13 @@ Camera to_camera(const View& given, const World& world, Size size) {
   return camera;
 }
 
+Fog to_fog(const FogRequest& fog, const View& view, const World& world) {
+  // The eye of an orthographic view may have been moved back.
+  const double moved = with_positive_near(view).near_plane - view.near_plane;
+  constexpr double greatest = 32767, least = 1.0 / 65536;
+  const double start = std::min(std::ldexp(fog.start + moved, world.exponent), greatest - 1);
+  const double end = std::clamp(std::ldexp(fog.end + moved, world.exponent), start + least, greatest);
+  return {FogCurve::linear, to_fixed<Q16_16>(start), to_fixed<Q16_16>(end), fog.colour};
+}
+
 }  // namespace spanline::sim

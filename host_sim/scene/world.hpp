@@ -4,6 +4,7 @@
 #include "scene/scene.hpp"
 #include "scene/view.hpp"
 #include "spanline/model/camera.hpp"
+#include "spanline/model/fog.hpp"
 
 namespace spanline::sim {
 
@@ -21,6 +22,15 @@ struct World {
 
 /// The world that holds the scene, and an eye that turns about its target, as large as Q16.16 allows.
 [[nodiscard]] World choose_world(const View& view, const Scene& scene, Size size);
+
+/// Linear fog, in units of the model along the axis of view.
+struct FogRequest {
+  double start = 0, end = 1;
+  Rgb888 colour;
+};
+
+/// The core's fog for that view, cut to the numbers that it has.
+[[nodiscard]] Fog to_fog(const FogRequest& fog, const View& view, const World& world);
 
 /// The core's camera. Throws UsageError if the view is too narrow or its planes lie too far apart for fixed point.
 [[nodiscard]] Camera to_camera(const View& view, const World& world, Size size);

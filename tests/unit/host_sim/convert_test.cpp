@@ -12,6 +12,8 @@
 // Made by the real command while this test was built.
 #include "coloured.hpp"
 #include "cube.hpp"
+#include "cube_texture.hpp"
+#include "square.hpp"
 
 namespace spanline::sim::test {
 namespace {
@@ -92,7 +94,50 @@ TEST(Convert, Identifiers) {
     EXPECT_TRUE(is_identifier(identifier_from(name))) << name;
 }
 
+TEST(Convert, TexturesAreValidTables) {
+  constexpr const Texture& texture = spanline_textures::cube_texture;
+  EXPECT_EQ(validate(texture), TextureFault::none);
+  EXPECT_EQ(texture.format, TexelFormat::palette16);
+  EXPECT_EQ(texture.log2_width, 6);  // 48 is nearer to 64, by its logarithm
+  EXPECT_EQ(texture.log2_height, 5);
+  EXPECT_EQ(texture.levels, 7);
+  EXPECT_EQ(texture.wrap_s, Wrap::clamp);
+  EXPECT_EQ(texture.palette.size(), 16U);
+}
+
+TEST(Convert, TextureCoordinatesCountDownwards) {
+  const Mesh& mesh = spanline_models::square;
+  ASSERT_EQ(mesh.texture_coordinates.size(), 4U);
+  EXPECT_EQ(mesh.texture_exponent, -12);
+  EXPECT_EQ(mesh.texture_coordinates[0].s, 0);
+  EXPECT_EQ(mesh.texture_coordinates[0].t, 4096);
+  EXPECT_EQ(mesh.texture_coordinates[2].s, 4 * 4096);
+  EXPECT_EQ(mesh.texture_coordinates[2].t, 0);
+  EXPECT_TRUE(spanline_models::cube.texture_coordinates.empty());
+}
+
 using ConvertTest = ToolTest;
+
+TEST_F(ConvertTest, ImagesThatCannotBeTexturesAreRefusedByName) {
+  const std::string picture = in_folder("p.png"), model = make_file("a.obj", cube_obj());
+  ASSERT_EQ(run({"render", model, "-o", picture, "--size", "20x16"}).exit_code, 0);
+  const std::string cut = make_file("cut.jpg", "\xff\xd8\xff\xe0 and no more");
+  const auto before = files();
+  for (const auto& [image, more] : {std::pair<std::string, std::vector<std::string>>{picture, {}},
+                                    {cut, {}},
+                                    {in_folder("none.png"), {"--resize"}}}) {
+    std::vector<std::string> arguments{"convert", image, "-o", in_folder("t.hpp")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ToolRun result = run(arguments);
+    expect_refused(result, 1, before);
+    EXPECT_NE(result.errors.find(image), std::string::npos) << result.errors;
+  }
+  expect_refused(run({"convert", picture, "-o", in_folder("t.hpp"), "--format", "rgb888"}), 2, before);
+  expect_refused(run({"convert", picture, "-o", in_folder("t.hpp"), "--textured"}), 2, before);
+  expect_refused(run({"convert", model, "-o", in_folder("t.hpp"), "--mipmap"}), 2, before);
+  expect_refused(run({"convert", model, "-o", in_folder("t.hpp"), "--textured"}), 1, before);
+  EXPECT_EQ(run({"convert", picture, "-o", in_folder("t.hpp"), "--resize"}).exit_code, 0);
+}
 
 TEST_F(ConvertTest, PrintsFlashAndRam) {
   const ToolRun result = run({"convert", make_file("a.obj", cube_obj()), "-o", in_folder("a.hpp")});

@@ -193,9 +193,7 @@ TEST_F(RefusalTest, WrongUsage) {
 TEST_F(RefusalTest, WhatIsNotAvailableYetSaysSo) {
   const std::string model = make_file("a.obj", cube_obj());
   const auto before = files();
-  std::vector<std::vector<std::string>> later{{"--wireframe"},        {"--filter", "bilinear"}, {"--mipmap"},
-                                              {"--wrap", "clamp"},    {"--fog", "1,2,FFFFFF"},  {"--dither"},
-                                              {"--structure", "grid"}};
+  std::vector<std::vector<std::string>> later{{"--wireframe"}, {"--structure", "grid"}};
   for (const std::string name : {"painter", "depth-sort", "bsp", "bsp-front", "warnock", "weiler-atherton", "ray"})
     later.push_back({"--visibility", name});
   const auto check = [&](std::vector<std::string> arguments) {

@@ -125,6 +125,41 @@ TEST_F(RenderTest, TexturesThatCannotBeAreRefusedByName) {
   expect_refused(run({"render", model, "-o", in_folder("out.png"), "--shade", "texture"}), 2, before);
 }
 
+TEST_F(RenderTest, FiltersLevelsFogAndDitherReachThePicture) {
+  const std::string model = make_file("a.obj", textured_square());
+  const std::string texture = make_file("t.png", png_bytes(numbered_picture(32, 32)));
+  const auto draw = [&](std::vector<std::string> more, const std::string& size = "48x48") {
+    std::vector<std::string> arguments{"--ortho", "2",     "--size",   size,    "--ambient",    "1",
+                                       "--eye",   "0,0,3", "--target", "0,0,0", "--visibility", "span"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return render(model, arguments);
+  };
+  const Picture plain = draw({"--texture", texture});
+  EXPECT_NE(draw({"--texture", texture, "--filter", "bilinear"}), plain);
+  // Two thirds of a texel a pixel: level 0 all over.
+  EXPECT_EQ(draw({"--texture", texture, "--mipmap"}), plain);
+  EXPECT_NE(draw({"--texture", texture, "--mipmap"}, "16x16"), draw({"--texture", texture}, "16x16"));
+  EXPECT_EQ(draw({"--texture", texture, "--wrap", "clamp"}), plain);
+  // The square is 3 units away; half of the fog's way is half of the fog.
+  for (const char* from : {"2,4,FF0000", "0,6,FF0000"})
+    EXPECT_LE(greatest_difference(draw({"--fog", from, "--shade", "unlit"}).at(24, 24), {255, 128, 128}), 10);
+  EXPECT_EQ(draw({"--fog", "4,5,FF0000", "--shade", "unlit"}), draw({"--shade", "unlit"}));
+  EXPECT_NE(draw({"--dither", "--texture", texture, "--light", "1,1,1"}),
+            draw({"--texture", texture, "--light", "1,1,1"}));
+  const auto before = files();
+  for (const std::vector<std::string>& wrong :
+       std::vector<std::vector<std::string>>{{"--filter", "bilinear"},
+                                             {"--mipmap"},
+                                             {"--texture", texture, "--wrap", "mirror"},
+                                             {"--fog", "1,2"},
+                                             {"--fog", "2,1,000000"},
+                                             {"--fog", "-1,1,000000"}}) {
+    std::vector<std::string> arguments{"render", model, "-o", in_folder("o.png")};
+    arguments.insert(arguments.end(), wrong.begin(), wrong.end());
+    expect_refused(run(arguments), 2, before);
+  }
+}
+
 TEST_F(RenderTest, CullingChoosesFaces) {
   const std::string model = make_file("a.obj", cube_obj());
   const auto seen = [&](const std::string& cull) {
