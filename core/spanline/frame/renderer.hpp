@@ -103,9 +103,12 @@ class Renderer {
     used_ = {};
     if (!status_.ok()) return status_;
     if (!settings_valid(settings.camera)) return {Fault::bad_settings, Pool::none, 0};
-    settings_ = settings;
+    lighting_ = settings.lighting;
+    cull_ = settings.cull;
+    stipple_seed_ = settings.stipple_seed;
+    effects_wanted_ = settings.fog.curve != FogCurve::none || settings.dither;
     background_ = Format::from(settings.background);
-    prepare_effects();
+    prepare_effects(settings);
     view_ = {settings.camera, viewport(), Depth::bits, Depth::nearest, Depth::farthest};
     ready_ = true;
     return {};
@@ -116,8 +119,7 @@ class Renderer {
   Status add(const Mesh& mesh, const Transform& transform, const Material& material) {
     if (!ready_) return status_.ok() ? Status{Fault::bad_settings, Pool::none, 0} : status_;
     const bool textured = has_textures && material.texturing.texture != nullptr && !mesh.texture_coordinates.empty();
-    const std::uint8_t shader =
-        shader_for<Traits>(material, !mesh.vertex_colours.empty(), textured, effects_wanted(settings_));
+    const std::uint8_t shader = shader_for<Traits>(material, !mesh.vertex_colours.empty(), textured, effects_wanted_);
     const std::uint32_t first_id = used_.ids;
     used_.ids += static_cast<std::uint32_t>(mesh.triangle_count());
     if (shader >= Shaders::count) return {Fault::shader_missing, Pool::none, 0};
@@ -163,8 +165,8 @@ class Renderer {
     shading.first_id = first_id;
     shading.colour = LitColour::from(material.colour);
     shading.shader = shader;
-    if constexpr (Shaders::see_through) shading.layering = layering_of(material, number, settings_.stipple_seed);
-    set_lights(settings_.lighting, transform, shading);
+    if constexpr (Shaders::see_through) shading.layering = layering_of(material, number, stipple_seed_);
+    set_lights(lighting_, transform, shading);
     if (shaded) prepare_shades(mesh, material, number, shading, store.shades.data());
     return assemble(mesh, material, geometry, group, store);
   }
@@ -189,8 +191,8 @@ class Renderer {
     shading.screen_colours = colours.data();
     shading.first_id = first_id;
     shading.shader = shader;
-    if constexpr (Shaders::see_through) shading.layering = layering_of(material, number, settings_.stipple_seed);
-    PolygonAssembly assembly(table_, bucket_of_row_, viewport(), settings_.cull);
+    if constexpr (Shaders::see_through) shading.layering = layering_of(material, number, stipple_seed_);
+    PolygonAssembly assembly(table_, bucket_of_row_, viewport(), cull_);
     assembly.run_screen(vertices);
     return finish(assembly, 0, false, false);
   }
@@ -241,15 +243,12 @@ class Renderer {
   static constexpr bool has_effects = Shaders::template index_of<GeneralShader<Format>> < Shaders::count;
   struct NoEffects {};
 
-  [[nodiscard]] static bool effects_wanted(const FrameSettings& settings) {
-    return settings.fog.curve != FogCurve::none || settings.dither;
-  }
-  void prepare_effects() {
+  void prepare_effects([[maybe_unused]] const FrameSettings& settings) {
     if constexpr (has_effects) {
-      effects_.fogged = settings_.fog.curve != FogCurve::none;
-      effects_.fog_colour = settings_.fog.colour;
-      effects_.dither = settings_.dither;
-      if (effects_.fogged) effects_.fog.fill(settings_.fog, settings_.camera);
+      effects_.fogged = settings.fog.curve != FogCurve::none;
+      effects_.fog_colour = settings.fog.colour;
+      effects_.dither = settings.dither;
+      if (effects_.fogged) effects_.fog.fill(settings.fog, settings.camera);
     }
   }
 
@@ -357,7 +356,7 @@ class Renderer {
   Status assemble(const Mesh& mesh, [[maybe_unused]] const Material& material, const InstanceGeometry& geometry,
                   const PolygonGroup& group, VertexStore& store) {
     geometry.transform_vertices(store.vertices.data());
-    PolygonAssembly assembly(table_, bucket_of_row_, viewport(), settings_.cull);
+    PolygonAssembly assembly(table_, bucket_of_row_, viewport(), cull_);
     const Clipper clipper = geometry.clipper(shade_kind(mesh));
     const bool shaded = !store.shades.empty(), textured = !store.textures.empty();
     std::size_t room = store.vertices.size();
@@ -427,7 +426,10 @@ class Renderer {
   Pools pools_{};
   PolygonTable table_{};
   BandOfRow bucket_of_row_{};
-  FrameSettings settings_{};
+  Lighting lighting_{};
+  Cull cull_{};
+  std::uint8_t stipple_seed_ = 0;
+  bool effects_wanted_ = false;  ///< fog or dither
   Pixel background_{};
   FrameView view_{};
   [[no_unique_address]] std::conditional_t<has_effects, FrameEffects, NoEffects> effects_;
