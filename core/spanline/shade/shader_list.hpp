@@ -13,13 +13,13 @@ namespace shader_list {
 /// The layers of the first see-through shader; a list without any has none.
 template <class... Shaders>
 struct LayerOf {
-  struct type {};
+  struct Type {};
 };
 template <class First, class... Rest>
 struct LayerOf<First, Rest...> : LayerOf<Rest...> {};
 template <SeeThrough First, class... Rest>
 struct LayerOf<First, Rest...> {
-  using type = typename First::Layer;
+  using Type = typename First::Layer;
 };
 }  // namespace shader_list
 
@@ -31,7 +31,7 @@ struct ShaderList {
   static_assert(count > 0);
   /// Whether any of them shows what lies behind its polygons.
   static constexpr bool see_through = (SeeThrough<Shaders> || ...);
-  using Layer = typename shader_list::LayerOf<Shaders...>::type;
+  using Layer = typename shader_list::LayerOf<Shaders...>::Type;
 
   struct Surface {
     alignas(std::max(

@@ -23,48 +23,43 @@ namespace {
   return room;
 }
 
-/// Walks the bucket of `row`; `table_of(number)` is the table that a polygon enters and `no_room(table)` is told where
-/// it was full.
-template <class TableOf, class NoRoom>
-[[gnu::always_inline]] inline void wake_all(const PolygonSource& source, std::int32_t row, BoundMargin margin,
-                                            TableOf table_of, NoRoom no_room) {
+}  // namespace
+
+bool wake_bucket(ActiveEdgeTable& edges, const PolygonSource& source, std::int32_t row, BoundMargin margin) {
   PolygonTable& table = source.table;
   const Link last = table.buckets[static_cast<std::size_t>(row)];
-  if (last == no_link) return;
+  if (last == no_link) return true;
+  bool room = true;
   Link number = table.references[last].next;
   for (;;) {
     const Link following = table.references[number].next;  // waking may defer the polygon
-    ActiveEdgeTable& edges = table_of(number);
     if (AwakePolygon* record = edges.take(); __builtin_expect(record != nullptr, true))
       edges.enter(*record, wake(*record, source, number, row, margin));
     else if (!wake_in_full_table(edges, source, number, row, margin))
-      no_room(edges);
-    if (number == last) return;
+      room = false;
+    if (number == last) return room;
     number = following;
   }
 }
 
-}  // namespace
-
-bool wake_bucket(ActiveEdgeTable& edges, const PolygonSource& source, std::int32_t row, BoundMargin margin) {
-  bool room = true;
-  wake_all(
-      source, row, margin, [&](Link) -> ActiveEdgeTable& { return edges; },
-      [&](const ActiveEdgeTable&) { room = false; });
-  return room;
-}
-
+// A loop of its own: the choice of a table would cost opaque renderers some instructions a row.
 WokenWithLayers wake_bucket(ActiveEdgeTable& edges, ActiveEdgeTable& layers, const PolygonSource& source,
                             std::int32_t row, BoundMargin margin) {
   WokenWithLayers woken{true, true};
-  const PolygonTable& table = source.table;
-  wake_all(
-      source, row, margin,
-      [&](Link number) -> ActiveEdgeTable& {
-        return table.groups[table.find_group(number)].see_through ? layers : edges;
-      },
-      [&](const ActiveEdgeTable& full) { (&full == &layers ? woken.all_layers : woken.all_opaque) = false; });
-  return woken;
+  PolygonTable& table = source.table;
+  const Link last = table.buckets[static_cast<std::size_t>(row)];
+  if (last == no_link) return woken;
+  for (Link number = table.references[last].next;;) {
+    const Link following = table.references[number].next;
+    const bool is_layer = table.groups[table.find_group(number)].see_through;
+    ActiveEdgeTable& entered = is_layer ? layers : edges;
+    if (AwakePolygon* record = entered.take(); record != nullptr)
+      entered.enter(*record, wake(*record, source, number, row, margin));
+    else if (!wake_in_full_table(entered, source, number, row, margin))
+      (is_layer ? woken.all_layers : woken.all_opaque) = false;
+    if (number == last) return woken;
+    number = following;
+  }
 }
 
 }  // namespace spanline
