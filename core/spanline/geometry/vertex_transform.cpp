@@ -114,6 +114,7 @@ void VertexTransform::run_all(std::span<const Vertex16> vertices, ScreenVertex* 
   // A copy that no store can alias: its constants stay where the compiler puts them.
   const VertexTransform t = *this;
   const auto depth_position = static_cast<std::uint32_t>(32 - t.depth_bits_);
+  const std::int32_t twice_centre_x = 2 * t.centre_x_ + 1, twice_centre_y = 2 * t.centre_y_ + 1;
 #if defined(__ARM_ARCH_6M__)
   const std::uint32_t low_x = word(t.z_[0] & low_mask), low_y = word(t.z_[1] & low_mask),
                       low_z = word(t.z_[2] & low_mask);
@@ -145,16 +146,16 @@ void VertexTransform::run_all(std::span<const Vertex16> vertices, ScreenVertex* 
     const std::uint32_t seed = reciprocal_16(z >> 13);
     const std::int32_t error = signed_word(0u - z * seed);
     const std::uint32_t fine = (seed << 10) + word(((error >> 16) * signed_word(seed)) >> 18);
-    const std::int32_t reciprocal = signed_word((fine + 512) >> 10);
+    const std::int32_t reciprocal = shift_right_rounded(signed_word(fine), 10);
     const int shift = t.shift_ - normalise;
-    const std::int32_t x = (((view_x * reciprocal) >> shift) + 1) >> 1;
-    const std::int32_t y = (((view_y * reciprocal) >> shift) + 1) >> 1;
+    // Rounded and centred in one: ((v + 1) >> 1) + centre = (v + 1 + 2·centre) >> 1.
+    const std::int32_t biased_x = (((view_x * reciprocal) >> shift) + twice_centre_x) >> 1;
+    const std::int32_t biased_y = (((view_y * reciprocal) >> shift) + twice_centre_y) >> 1;
 
     const std::uint32_t behind = multiply_high(fine << 5, t.depth_scale_) >> (t.depth_shift_ - normalise);
     std::int32_t depth = signed_word(t.depth_base_ - behind) >> t.depth_fraction_;
     depth = depth < t.nearest_ ? t.nearest_ : depth > t.farthest_ ? t.farthest_ : depth;
 
-    const std::int32_t biased_x = x + t.centre_x_, biased_y = y + t.centre_y_;
     std::uint32_t code = 0;
     if constexpr (WithOutcodes) {
       if (biased_x < ScreenVertex::bias) code |= outcode_left;

@@ -53,6 +53,27 @@ inline constexpr std::array<std::uint8_t, 256> leading_zeros_of_byte = [] {
 #endif
 }
 
+/// The high word of the signed product a·b, rounded to nearest.
+[[nodiscard]] inline std::int32_t multiply_high_rounded(std::int32_t a, std::int32_t b) {
+#if defined(__ARM_FEATURE_DSP)
+  std::int32_t high;
+  __asm__("smmulr %0, %1, %2" : "=r"(high) : "r"(a), "r"(b));
+  return high;
+#else
+  return static_cast<std::int32_t>((static_cast<std::int64_t>(a) * b + 0x80000000) >> 32);
+#endif
+}
+
+/// value / 2^bits, rounded to nearest, halves upwards; |value| below 2^31 − 2^(bits − 1). The forms give the same:
+/// cores whose constants take instructions of their own round at the last bit.
+[[nodiscard]] constexpr std::int32_t shift_right_rounded(std::int32_t value, int bits) {
+#if defined(__ARM_ARCH_6M__)
+  return ((value >> (bits - 1)) + 1) >> 1;
+#else
+  return (value + (1 << (bits - 1))) >> bits;
+#endif
+}
+
 /// |value| as an unsigned number; right for the most negative value too.
 [[nodiscard]] constexpr std::uint32_t magnitude(std::int32_t value) {
   return value < 0 ? 0u - static_cast<std::uint32_t>(value) : static_cast<std::uint32_t>(value);

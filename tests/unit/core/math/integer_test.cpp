@@ -37,6 +37,10 @@ RC_GTEST_PROP(Integer, SquareRootIsTheIntegerPart, (std::uint64_t value)) {
   RC_ASSERT(root * root <= narrow && (root + 1) * (root + 1) > narrow);
 }
 
+RC_GTEST_PROP(Integer, HighWordOfAProductIsRounded, (std::int32_t a, std::int32_t b)) {
+  RC_ASSERT(multiply_high_rounded(a, b) == shift_rounded(static_cast<std::int64_t>(a) * b, 32));
+}
+
 TEST(Integer, SquareRootIsRightAroundEverySquareOfSixteenBits) {
   for (std::uint64_t r = 1; r < 65536; ++r) {
     ASSERT_EQ(square_root(r * r - 1), r - 1);

@@ -81,5 +81,14 @@ TEST(SPANLINE_RECIPROCAL_SUITE, ShortDivisionsAreExact) {
   }
 }
 
+TEST(SPANLINE_RECIPROCAL_SUITE, RoundedShiftsAreRoundedDivisions) {
+  Random random(4);
+  for (int bits = 1; bits < 31; ++bits)
+    for (int i = 0; i < 1000; ++i) {
+      const auto value = static_cast<std::int32_t>(random.between(-(1 << 30), 1 << 30));
+      ASSERT_EQ(shift_right_rounded(value, bits), (std::int64_t{value} + (std::int64_t{1} << (bits - 1))) >> bits);
+    }
+}
+
 }  // namespace
 }  // namespace spanline::test
