@@ -1,6 +1,12 @@
 #include "spanline/geometry/polygon_assembly.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cstddef>
+
+#if defined(__ARM_FEATURE_SIMD32)
+#include <arm_acle.h>
+#endif
 
 #include "spanline/geometry/vertex_transform.hpp"
 
@@ -8,12 +14,57 @@ namespace spanline {
 namespace {
 
 /// Twice the signed area on screen, y down: negative where the corners run counter-clockwise for the viewer.
-template <bool Scissored>
-auto signed_area(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c) {
-  // Inside the viewport (at most 2,047 pixels) 32 bits hold the products; in the guard band they do not.
-  using Wide = std::conditional_t<Scissored, std::int64_t, std::int32_t>;
+template <class Wide>
+inline Wide signed_area(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c) {
   const Wide dx1 = b.x - a.x, dy1 = b.y - a.y, dx2 = c.x - a.x, dy2 = c.y - a.y;
   return dx1 * dy2 - dx2 * dy1;
+}
+
+/// A vertex's position in one word: x in the low half, y in the high one.
+inline std::uint32_t position(const ScreenVertex& v) {
+  static_assert(std::endian::native == std::endian::little && offsetof(ScreenVertex, y) == 2);
+  using Word [[gnu::may_alias]] = const std::uint32_t;
+  return *reinterpret_cast<Word*>(&v);
+}
+
+/// Its upper half, where it is at hand.
+inline std::int32_t biased_y(const ScreenVertex& v) {
+#if defined(__ARM_FEATURE_SIMD32) || defined(__ARM_ARCH_6M__)
+  return signed_word(position(v) >> 16);
+#else
+  return v.y;
+#endif
+}
+
+/// As signed_area, for coordinates that lie within 2,047 pixels of each other.
+inline std::int32_t narrow_area(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c) {
+#if defined(__ARM_FEATURE_SIMD32)
+  const auto from_a = [&](const ScreenVertex& v) {
+    return __ssub16(signed_word(position(v)), signed_word(position(a)));
+  };
+  return __smusdx(from_a(b), from_a(c));
+#elif defined(__ARM_ARCH_6M__)
+  // Fewer loads and addresses: a difference of words is 65,536·dy + dx.
+  const std::uint32_t d1 = position(b) - position(a), d2 = position(c) - position(a);
+  const std::int32_t dx1 = static_cast<std::int16_t>(d1), dx2 = static_cast<std::int16_t>(d2);
+  const std::int32_t dy1 = signed_word(d1 - word(dx1)) >> 16, dy2 = signed_word(d2 - word(dx2)) >> 16;
+  return dx1 * dy2 - dx2 * dy1;
+#else
+  return signed_area<std::int32_t>(a, b, c);
+#endif
+}
+
+/// Its sign. Inside the viewport (at most 2,047 pixels) 32 bits hold the products; in the guard band they do not.
+template <bool Scissored>
+inline std::int32_t orientation(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c) {
+  constexpr std::uint32_t leaves = outcode_left | outcode_right | outcode_top | outcode_bottom;
+  if constexpr (Scissored) {
+    if (((a.depth_word | b.depth_word | c.depth_word) & leaves) != 0) {
+      const auto area = signed_area<std::int64_t>(a, b, c);
+      return (area > 0) - (area < 0);
+    }
+  }
+  return narrow_area(a, b, c);
 }
 
 /// By value: the library's take references, which sends the operands through memory.
@@ -51,38 +102,38 @@ void PolygonAssembly::append_fan(std::int32_t band, const FanTriangle& fan) {
 /// Whether a triangle without clip codes is to be drawn, and where it starts; counts it in `back` where its side rules
 /// it out.
 template <bool Scissored>
-inline bool PolygonAssembly::take(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c,
+inline bool PolygonAssembly::take(Cull cull, const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c,
                                   std::int32_t& band, std::uint32_t& back) const {
-  const auto area = signed_area<Scissored>(a, b, c);
+  const std::int32_t area = orientation<Scissored>(a, b, c);
   if (area >= 0) {
     if (area == 0) return false;
-    if (cull_ == Cull::back) {
+    if (cull == Cull::back) {
       ++back;
       return false;
     }
-  } else if (cull_ == Cull::front) {
+  } else if (cull == Cull::front) {
     ++back;
     return false;
   }
-  const std::int32_t ay = a.y, by = b.y, cy = c.y;
-  std::int32_t first = row_at(least(ay, by, cy)) - row_bias;
-  std::int32_t end = row_at(greatest(ay, by, cy)) - row_bias;
+  const std::int32_t ay = biased_y(a), by = biased_y(b), cy = biased_y(c);
+  std::int32_t first = row_at(least(ay, by, cy));
+  std::int32_t end = row_at(greatest(ay, by, cy));
   if constexpr (Scissored) {
-    first = std::max<std::int32_t>(first, 0);
-    end = std::min(end, viewport_.height);
+    first = std::max<std::int32_t>(first, row_bias);
+    end = std::min(end, viewport_.height + row_bias);
   }
   if (first >= end) return false;  // between two rows of pixel centres
-  band = band_of_row_(first);
+  band = band_of_row_(first - row_bias);
   return true;
 }
 
-template <bool Scissored>
+template <bool Scissored, Cull Culled>
 void PolygonAssembly::run_triangles(const Mesh& mesh, const ScreenVertex* vertices, const ClipContext& clip) {
   const std::uint16_t* index = mesh.indices.data();
-  const auto triangles = static_cast<Link>(mesh.indices.size() / 3);
+  const auto triangles = static_cast<std::uint32_t>(mesh.indices.size() / 3);
   counts.total += triangles;
   std::uint32_t back = 0;
-  for (Link triangle = 0; triangle < triangles; ++triangle, index += 3) {
+  for (std::uint32_t triangle = 0; triangle < triangles; ++triangle, index += 3) {
     const ScreenVertex& a = vertices[index[0]];
     const ScreenVertex& b = vertices[index[1]];
     const ScreenVertex& c = vertices[index[2]];
@@ -93,14 +144,27 @@ void PolygonAssembly::run_triangles(const Mesh& mesh, const ScreenVertex* vertic
         continue;
       }
       if (((a.depth_word | b.depth_word | c.depth_word) & outcode_clip) != 0) {
-        clip_triangle(mesh, clip, vertices, {index[0], index[1], index[2]}, triangle, triangle);
+        clip_triangle(mesh, clip, vertices, {index[0], index[1], index[2]}, static_cast<Link>(triangle),
+                      static_cast<Link>(triangle));
         continue;
       }
     }
     std::int32_t band;
-    if (take<Scissored>(a, b, c, band, back)) append(band, triangle);
+    if (take<Scissored>(Culled, a, b, c, band, back)) append(band, static_cast<Link>(triangle));
   }
   counts.back += back;
+}
+
+template <bool Scissored>
+void PolygonAssembly::run_triangles(const Mesh& mesh, const ScreenVertex* vertices, const ClipContext& clip) {
+  switch (cull_) {
+    case Cull::back:
+      return run_triangles<Scissored, Cull::back>(mesh, vertices, clip);
+    case Cull::front:
+      return run_triangles<Scissored, Cull::front>(mesh, vertices, clip);
+    case Cull::none:
+      return run_triangles<Scissored, Cull::none>(mesh, vertices, clip);
+  }
 }
 
 void PolygonAssembly::run_polygons(const Mesh& mesh, const ScreenVertex* vertices, bool scissored,
@@ -120,7 +184,7 @@ void PolygonAssembly::run_polygons(const Mesh& mesh, const ScreenVertex* vertice
         clip_triangle(mesh, clip, vertices, corner, triangle, polygon);
       } else {
         std::int32_t band;
-        if (take<true>(a, b, c, band, counts.back))
+        if (take<true>(cull_, a, b, c, band, counts.back))
           append_fan(band, {{corner[0], corner[1], corner[2]}, triangle, polygon});
       }
     }
@@ -162,7 +226,7 @@ void PolygonAssembly::clip_triangle(const Mesh& mesh, const ClipContext& clip, c
   for (unsigned i = 1; i + 1 < piece.count(); ++i) {
     std::uint32_t culled = 0;
     std::int32_t band;
-    const bool drawn = take<true>(screen[0], screen[i], screen[i + 1], band, culled);
+    const bool drawn = take<true>(cull_, screen[0], screen[i], screen[i + 1], band, culled);
     (culled != 0 ? back : front) = true;
     if (!drawn) continue;
     for (const unsigned j : {0u, i, i + 1}) {
@@ -194,19 +258,22 @@ void PolygonAssembly::run(const Mesh& mesh, const ScreenVertex* vertices, bool s
 }
 
 void PolygonAssembly::run_screen(std::span<const ScreenVertex> vertices) {
-  const auto triangles = static_cast<Link>(vertices.size() / 3);
+  const auto triangles = static_cast<std::uint32_t>(vertices.size() / 3);
+  const Cull cull = cull_;
   counts.total += triangles;
-  for (Link triangle = 0; triangle < triangles; ++triangle) {
-    const ScreenVertex* v = &vertices[std::size_t{3} * triangle];
+  std::uint32_t back = 0;
+  const ScreenVertex* v = vertices.data();
+  for (std::uint32_t triangle = 0; triangle < triangles; ++triangle, v += 3) {
     std::int32_t band;
-    if (((v[0].depth_word | v[1].depth_word | v[2].depth_word) & 0xff) == 0) {
-      if (take<false>(v[0], v[1], v[2], band, counts.back)) append(band, triangle);
-    } else if ((v[0].depth_word & v[1].depth_word & v[2].depth_word & 0xff) != 0) {
+    const bool leaves = ((v[0].depth_word | v[1].depth_word | v[2].depth_word) & 0xff) != 0;
+    if (leaves && (v[0].depth_word & v[1].depth_word & v[2].depth_word & 0xff) != 0) {
       ++counts.outside;
-    } else if (take<true>(v[0], v[1], v[2], band, counts.back)) {
-      append(band, triangle);
+    } else if (leaves ? take<true>(cull, v[0], v[1], v[2], band, back)
+                      : take<false>(cull, v[0], v[1], v[2], band, back)) {
+      append(band, static_cast<Link>(triangle));
     }
   }
+  counts.back += back;
 }
 
 }  // namespace spanline

@@ -22,20 +22,23 @@ struct PolygonCounts {
   std::uint32_t back = 0;     ///< B: left out by orientation
 };
 
-/// Divides rows into bands: row / lines without a divide.
+/// Divides rows into bands: row / lines without a divide. The inverse is rounded up, by less than 1; over 2,047 rows
+/// that is less than 2^11 / 2^shift < 1 / lines, so no row reaches the next band by it.
 class BandOfRow {
  public:
   BandOfRow() = default;
-  explicit BandOfRow(std::uint32_t lines) : lines_(lines), inverse_(((1u << 21) + lines - 1) / lines) {}
+  /// lines in [1, 2047].
+  explicit BandOfRow(std::uint32_t lines) : shift_(52 - leading_zeros_32(lines)) {
+    inverse_ = ((1u << shift_) + lines - 1) / lines;  // at most 2^21
+  }
   /// row in [0, 2047].
   [[nodiscard]] std::int32_t operator()(std::int32_t row) const {
-    std::uint32_t band = (word(row) * inverse_) >> 21;
-    if (band * lines_ > word(row)) --band;
-    return signed_word(band);
+    return signed_word((word(row) * inverse_) >> shift_);
   }
 
  private:
-  std::uint32_t lines_ = 1, inverse_ = 1u << 21;
+  std::uint32_t inverse_ = 1u << 21;
+  int shift_ = 21;
 };
 
 /// Room for vertices, with their shades and textures, that clipping makes, behind those of the instance.
@@ -76,9 +79,11 @@ class PolygonAssembly {
  private:
   template <bool Scissored>
   void run_triangles(const Mesh& mesh, const ScreenVertex* vertices, const ClipContext& clip);
+  template <bool Scissored, Cull Culled>
+  void run_triangles(const Mesh& mesh, const ScreenVertex* vertices, const ClipContext& clip);
   void run_polygons(const Mesh& mesh, const ScreenVertex* vertices, bool scissored, const ClipContext& clip);
   template <bool Scissored>
-  bool take(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, std::int32_t& band,
+  bool take(Cull cull, const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, std::int32_t& band,
             std::uint32_t& back) const;
   void append(std::int32_t band, Link source);
   void append_fan(std::int32_t band, const FanTriangle& fan);

@@ -1,4 +1,6 @@
 // Culling leaves out nothing that shows: bounding spheres against the frustum, orientation, and the counts of the sets.
+#include "spanline/geometry/polygon_assembly.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -164,6 +166,14 @@ TEST(FaceCulling, CounterClockwiseFacesAreTheFront) {
   view.camera.look_at({{}, {}, Q16_16::from_int(-8)}, {{}, {}, Q16_16::from_int(-4)}, {{}, Q2_30::from_int(1), {}});
   EXPECT_EQ(draw(view, {owned.view()}, transform, Cull::back).picture.drawn_count(), 0U);
   EXPECT_GT(draw(view, {owned.view()}, transform, Cull::front).picture.drawn_count(), 0U);
+}
+
+TEST(BandOfRow, IsTheQuotientForEveryHeightAndRow) {
+  for (std::uint32_t lines = 1; lines <= 2047; ++lines) {
+    const BandOfRow band_of_row(lines);
+    for (std::int32_t row = 0; row <= 2047; ++row)
+      ASSERT_EQ(band_of_row(row), row / static_cast<std::int32_t>(lines)) << "row " << row << ", lines " << lines;
+  }
 }
 
 }  // namespace
