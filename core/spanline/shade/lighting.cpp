@@ -21,7 +21,22 @@ void set_lights(const Lighting& lighting, const Transform& transform, ShadingGro
   }
 }
 
+namespace {
+
+/// Shades of vertices without colours under a single light: most meshes, and a loop that keeps the light in registers.
+void shade_by_one_light(std::span<const PackedNormal> normals, std::int32_t ambient, ModelLight light,
+                        std::uint32_t* shades) {
+  for (const PackedNormal normal : normals) {
+    const std::int32_t sum = ambient + std::max<std::int32_t>(0, light.on(normal));
+    *shades++ = gouraud::shade_of(static_cast<Intensity>(sum));
+  }
+}
+
+}  // namespace
+
 void shade_vertices(const Mesh& mesh, const ShadingGroup& group, std::uint32_t* shades) {
+  if (mesh.vertex_colours.empty() && !mesh.vertex_normals.empty() && group.light_count == 1)
+    return shade_by_one_light(mesh.vertex_normals, group.ambient, group.lights[0], shades);
   const std::size_t count = mesh.vertex_count();
   const ShadingGroup lit = group;  // a copy that no store can alias
   for (std::size_t i = 0; i < count; ++i) {
