@@ -44,23 +44,22 @@ bool set_up_large(Triangle& t, bool scissored, Viewport viewport, int depth_bits
     area = -area;
   }
   const std::int32_t bottom = viewport.height + row_bias;
-  const std::int32_t row1 = row_at(t.ay + t.dy1), row2 = row_at(t.ay + t.dy2);
+  const ThirdEdge third = ThirdEdge::of(t);
   const std::int32_t first = std::max(row_at(t.ay), row_bias);
-  const std::int32_t end = std::min(std::max(row1, row2), bottom);
+  const std::int32_t end = std::min(row_at(t.ay + third.y + third.dy), bottom);
   if (first >= end) return false;
-  const bool right_bends = t.dy1 < t.dy2;
   const bool medium = !scissored && medium_triangle::fits(t);
-  active.flags = {medium ? ActiveTriangle::Size::medium : ActiveTriangle::Size::large, right_bends, scissored};
-  const std::int32_t bend_row = std::clamp(right_bends ? row1 : row2, first, end);
+  active.flags = {medium ? ActiveTriangle::Size::medium : ActiveTriangle::Size::large, third.on_right, scissored};
+  const std::int32_t bend_row = std::clamp(row_at(t.ay + third.y), first, end);
   active.origin = 0;
-  active.row = static_cast<std::uint16_t>(first);
-  active.rows_to_bend = static_cast<std::uint16_t>(bend_row - first);
-  active.rows_after_bend = static_cast<std::uint16_t>(end - bend_row);
+  active.row = first;
+  active.rows_to_bend = bend_row - first;
+  active.rows_after_bend = end - bend_row;
   if (medium) {
     const std::int32_t origin = medium_triangle::origin_of(t);
-    active.origin = static_cast<std::int16_t>(origin - row_bias);
-    medium_triangle::set_edges(t, origin, 16 * first + 8 - t.ay,
-                               16 * bend_row + 8 - t.ay - (right_bends ? t.dy1 : t.dy2), active.fixed);
+    active.origin = origin - row_bias;
+    medium_triangle::set_edges(t, third, origin, 16 * first + 8 - t.ay, 16 * bend_row + 8 - t.ay - third.y,
+                               active.fixed);
     fit_wide_depth(t, area, viewport, depth_bits, active);
     return true;
   }
@@ -68,7 +67,7 @@ bool set_up_large(Triangle& t, bool scissored, Viewport viewport, int depth_bits
   if (active.rows_to_bend != 0) {
     active.large.left = edge_between(*t.a, *t.c, first);
     active.large.right = edge_between(*t.a, *t.b, first);
-  } else if (right_bends) {
+  } else if (third.on_right) {
     active.large.left = edge_between(*t.a, *t.c, first);
   } else {
     active.large.right = edge_between(*t.a, *t.b, first);

@@ -8,6 +8,7 @@
 #include "spanline/raster/gradients.hpp"
 #include "spanline/raster/linear_function.hpp"
 #include "spanline/raster/medium_triangle.hpp"
+#include "spanline/raster/plane_equation.hpp"
 #include "spanline/raster/polygon_table.hpp"
 #include "spanline/raster/small_triangle.hpp"
 #include "spanline/raster/triangle.hpp"
@@ -17,20 +18,23 @@ namespace spanline {
 /// Edges of a triangle of any size: two that are walked; the third is made when its first row comes.
 struct LargeEdges {
   Edge left, right;
+
+  void skip_rows(std::int32_t rows) {
+    for (; rows > 0; --rows) {
+      left.next_row();
+      right.next_row();
+    }
+  }
 };
 
 /// A triangle between its first row and its last: an entry of the active-edge table, with its plane equation. It is
 /// made when the triangle becomes active and lives while it is.
 struct ActiveTriangle {
-  LinearFunction depth;  ///< plane word on the current row, at column `origin`
-  union {
-    FixedEdges fixed;
-    LargeEdges large;
-  };
-  std::int16_t origin;            ///< screen column that columns of edges and functions count from
-  std::uint16_t row;              ///< current row, biased
-  std::uint16_t rows_to_bend;     ///< rows until the left or right edge gives way to the third
-  std::uint16_t rows_after_bend;  ///< rows of the third edge
+  LinearFunction depth;          ///< plane word on the current row, at column `origin`
+  std::int32_t origin;           ///< screen column that columns of edges and functions count from
+  std::int32_t row;              ///< current row, biased
+  std::int32_t rows_to_bend;     ///< rows until the left or right edge gives way to the third
+  std::int32_t rows_after_bend;  ///< rows of the third edge
   enum class Size : std::uint8_t { small, medium, large };
 
   /// One word, so that set-up writes it at once.
@@ -54,6 +58,37 @@ struct ActiveTriangle {
     std::uint32_t bits_;
   } flags;
 
+  union {
+    FixedEdges fixed;
+    LargeEdges large;
+  };
+
+  /// Copies what a triangle of its size has.
+  void assign(const ActiveTriangle& other) {
+    depth = other.depth;
+    origin = other.origin;
+    row = other.row;
+    rows_to_bend = other.rows_to_bend;
+    rows_after_bend = other.rows_after_bend;
+    flags = other.flags;
+    if (flags.size() == Size::large)
+      large = other.large;
+    else
+      fixed = other.fixed;
+  }
+
+  /// Steps a small or medium triangle over rows before and after its bend, where its counts of rows allow it.
+  void skip_rows(std::int32_t before, std::int32_t after) {
+    fixed.skip_rows(before);
+    if (after > 0) {
+      if (!flags.bent()) {
+        fixed.bend(flags.right_bends());
+        flags.set_bent();
+      }
+      fixed.skip_rows(after);
+    }
+    depth.skip_rows(before + after);
+  }
   [[nodiscard]] std::int32_t end_row() const { return row + rows_to_bend + rows_after_bend; }
 };
 
@@ -81,11 +116,10 @@ class AttributeGradients {
   /// `value_of` gives a value in [0, 65535] for a corner; the function has 16 guard bits and stands at the active
   /// triangle's row and origin.
   template <class ValueOf>
-  void fit(ValueOf value_of, LinearFunction& function) const {
+  [[gnu::always_inline]] inline void fit(ValueOf value_of, LinearFunction& function) const {
     const std::int32_t a = value_of(t_.a), b = value_of(t_.b), c = value_of(t_.c);
     if (active_.flags.size() == ActiveTriangle::Size::small &&
-        small_triangle::Gradients(static_cast<std::uint32_t>(area_))
-            .fit<small_triangle::Precision::shade>(t_, a, b, c, 16 * active_.row + 8 - t_.ay, function))
+        fit_small_attribute(t_, static_cast<std::int32_t>(area_), a, b, c, 16 * active_.row + 8 - t_.ay, function))
       return;
     fit_wide(a, b, c, function);
   }
@@ -119,30 +153,25 @@ template <class Depth, class MakeSurface>
                                                      const Viewport& viewport, ActiveTriangle& active,
                                                      MakeSurface make_surface) {
   Triangle t = Triangle::from(p, q, r);
-  const bool scissored = group.scissored && ((t.a->depth_word | t.b->depth_word | t.c->depth_word) &
-                                             (outcode_left | outcode_right | outcode_top | outcode_bottom)) != 0;
+  const bool scissored = group.scissored && leaves_viewport(t);
   std::int32_t area = 0;
-  if (!scissored && small_triangle::fits(t) && (magnitude(area = t.doubled_area()) >> 16) == 0) {
+  if (!scissored && is_small(t, area)) {
     if (area < 0) {
       t.flip();
       area = -area;
     }
-    const std::int32_t first = row_at(t.ay), row1 = row_at(t.ay + t.dy1), row2 = row_at(t.ay + t.dy2);
-    const bool right_bends = t.dy1 < t.dy2;
-    const std::int32_t bend_row = right_bends ? row1 : row2;
-    const std::int32_t end = right_bends ? row2 : row1;
+    const ThirdEdge third = ThirdEdge::of(t);
+    const std::int32_t first = row_at(t.ay), bend_row = row_at(t.ay + third.y);
+    const std::int32_t end = row_at(t.ay + third.y + third.dy);
     if (first >= end || area == 0) return false;
     const std::int32_t row_offset = 16 * first + 8 - t.ay;
-    active.flags = {ActiveTriangle::Size::small, right_bends, false};
-    active.origin = static_cast<std::int16_t>((t.ax >> 4) - row_bias - small_triangle::margin);
-    active.row = static_cast<std::uint16_t>(first);
-    active.rows_to_bend = static_cast<std::uint16_t>(bend_row - first);
-    active.rows_after_bend = static_cast<std::uint16_t>(end - bend_row);
-    small_triangle::set_edges(t, row_offset, 16 * bend_row + 8 - t.ay - (right_bends ? t.dy1 : t.dy2), active.fixed);
-    if (Depth::bits != 16 ||
-        !small_triangle::Gradients(word(area))
-             .fit<small_triangle::Precision::depth>(t, t.a->depth<Depth>(), t.b->depth<Depth>(), t.c->depth<Depth>(),
-                                                    row_offset, active.depth)) {
+    active.flags = {ActiveTriangle::Size::small, third.on_right, false};
+    active.origin = small_triangle::origin_of(t);
+    active.row = first;
+    active.rows_to_bend = bend_row - first;
+    active.rows_after_bend = end - bend_row;
+    small_triangle::set_edges(t, third, row_offset, 16 * bend_row + 8 - t.ay - third.y, active.fixed);
+    if (!fit_small_depth<Depth>(t, area, row_offset, active.depth)) {
       // A copy, so that the triangle itself stays in registers on the usual way.
       const Triangle kept = t;
       fit_wide_depth(kept, area, viewport, Depth::bits, active);

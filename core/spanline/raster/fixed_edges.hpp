@@ -8,7 +8,21 @@ namespace spanline {
 struct FixedEdges {
   std::uint32_t left, right;            ///< columns of the current row
   std::uint32_t left_step, right_step;  ///< slopes
-  std::uint32_t bend, bend_step;        ///< the third edge: replaces the left or the right one at its first row
+  std::uint32_t third, third_step;      ///< the third edge: replaces the left or the right one at its first row
+
+  void next_row() {
+    left += left_step;
+    right += right_step;
+  }
+  void skip_rows(std::int32_t rows) {
+    left += left_step * static_cast<std::uint32_t>(rows);
+    right += right_step * static_cast<std::uint32_t>(rows);
+  }
+  /// Puts the third edge in place.
+  void bend(bool right_bends) {
+    (right_bends ? right : left) = third;
+    (right_bends ? right_step : left_step) = third_step;
+  }
 };
 
 }  // namespace spanline

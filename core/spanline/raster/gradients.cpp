@@ -14,6 +14,38 @@ constexpr int extra_bits_for(int guard_bits) { return guard_bits >= 16 ? 0 : 6; 
 
 constexpr std::int32_t exact = 0;  // normalising shift that stands for "take the exact way"
 
+/// Up to this extent, numerators of 16-bit values and their sums fit 32 bits.
+constexpr std::int32_t largest_narrow_extent = 256 * 16;  // sixteenths
+
+/// Floor division of a numerator below 2^31 by an area below 2^16, digit by digit.
+class ShortDivision {
+ public:
+  ShortDivision(std::int32_t numerator, std::uint32_t area) : area_(area) {
+    const std::uint32_t size = magnitude(numerator);
+    quotient_ = divide_16(size, area);
+    remainder_ = size - quotient_ * area;
+    if (numerator < 0) {
+      quotient_ = 0u - quotient_;
+      if (remainder_ != 0) {
+        --quotient_;
+        remainder_ = area - remainder_;
+      }
+    }
+  }
+  [[nodiscard]] std::uint32_t whole() const { return quotient_; }
+  [[nodiscard]] std::uint32_t remainder() const { return remainder_; }
+  /// The quotient times 2^bits, rounded to nearest, halves upwards; modulo 2^32. bits in [15, 30].
+  [[nodiscard]] std::uint32_t scaled(int bits) const {
+    const std::uint32_t high = remainder_ << 15, first = divide_16(high, area_);
+    const std::uint32_t low = (high - first * area_) << (bits - 15), second = divide_16(low, area_);
+    const std::uint32_t rest = low - second * area_;
+    return (quotient_ << bits) + (first << (bits - 15)) + second + (rest >= area_ - rest ? 1 : 0);
+  }
+
+ private:
+  std::uint32_t area_, quotient_, remainder_;
+};
+
 /// The middle of [low, high) ∩ [0, size) pixels, or the pixel of the range that is nearest to the viewport.
 std::int32_t middle(std::int32_t low, std::int32_t high, std::int32_t size) {
   const std::int32_t first = std::clamp<std::int32_t>(low, 0, size - 1);
@@ -30,7 +62,9 @@ Gradients::Gradients(const Triangle& triangle, std::int64_t area, Viewport viewp
   anchor_x_ = middle(row_at(triangle.ax + low_x) - row_bias, row_at(triangle.ax + high_x) - row_bias, viewport.width);
   anchor_y_ =
       row_bias + middle(row_at(triangle.ay) - row_bias, row_at(triangle.ay + high_y) - row_bias, viewport.height);
-  if (high_x - low_x > largest_fast_extent || high_y > largest_fast_extent) return;
+  const std::int32_t extent = std::max(high_x - low_x, high_y);
+  if (extent > largest_fast_extent) return;
+  narrow_ = extent <= largest_narrow_extent;
   const auto narrow = static_cast<std::uint32_t>(area);  // at most 2^13·2^13
   normalising_shift_ = leading_zeros_32(narrow);
   inverse_ = reciprocal_32(narrow << normalising_shift_);
@@ -70,8 +104,15 @@ LinearFunction Gradients::fit(std::int32_t value_a, std::int32_t value_b, std::i
   if ((d1 | d2) == 0) {
     return {base, 0, 0};
   }
-  const std::int64_t nx = static_cast<std::int64_t>(d1) * t.dy2 - static_cast<std::int64_t>(d2) * t.dy1;
-  const std::int64_t ny = static_cast<std::int64_t>(d2) * t.dx1 - static_cast<std::int64_t>(d1) * t.dx2;
+  const bool narrow = narrow_ && bits == 16;
+  std::int64_t nx, ny;
+  if (narrow) {
+    nx = d1 * t.dy2 - d2 * t.dy1;
+    ny = d2 * t.dx1 - d1 * t.dx2;
+  } else {
+    nx = static_cast<std::int64_t>(d1) * t.dy2 - static_cast<std::int64_t>(d2) * t.dy1;
+    ny = static_cast<std::int64_t>(d2) * t.dx1 - static_cast<std::int64_t>(d1) * t.dx2;
+  }
   const std::int32_t to_anchor_x = 16 * (anchor_x_ + row_bias) + 8 - t.ax;
   const std::int32_t to_anchor_y = 16 * anchor_y_ + 8 - t.ay;
   std::int32_t fine_dx = 0, fine_dy = 0;
@@ -84,6 +125,14 @@ LinearFunction Gradients::fit(std::int32_t value_a, std::int32_t value_b, std::i
     const std::int64_t way =
         static_cast<std::int64_t>(fine_dx) * to_anchor_x + static_cast<std::int64_t>(fine_dy) * to_anchor_y;
     at_anchor = base + static_cast<std::uint32_t>(static_cast<std::uint64_t>(way >> (4 + extra_bits)));
+  } else if (narrow && area_ < 65536) {
+    const auto area = static_cast<std::uint32_t>(area_);
+    const ShortDivision x(static_cast<std::int32_t>(nx), area), y(static_cast<std::int32_t>(ny), area);
+    function.dx = x.scaled(4 + guard_bits);
+    function.dy = y.scaled(4 + guard_bits);
+    const ShortDivision rest(signed_word(x.remainder()) * to_anchor_x + signed_word(y.remainder()) * to_anchor_y, area);
+    const std::uint32_t whole = x.whole() * word(to_anchor_x) + y.whole() * word(to_anchor_y);
+    at_anchor = base + (whole << guard_bits) + rest.scaled(guard_bits);
   } else {
     const auto slope = [&](std::int64_t n) {
       return static_cast<std::uint32_t>(

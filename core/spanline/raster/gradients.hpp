@@ -38,6 +38,7 @@ class Gradients {
   std::int64_t area_;
   std::uint32_t inverse_ = 0;  ///< 2^62 / (area normalised to 32 bits)
   int normalising_shift_ = 0;  ///< area·2^shift is in [2^31, 2^32)
+  bool narrow_ = false;        ///< small enough for 32-bit numerators of 16-bit values
   std::int32_t anchor_x_ = 0;  ///< column of the anchor (screen)
   std::int32_t anchor_y_ = 0;  ///< row of the anchor (biased)
 };

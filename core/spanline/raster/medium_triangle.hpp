@@ -44,13 +44,13 @@ inline constexpr int fraction_bits = 24;
   return row_at(t.ax + std::min<std::int32_t>(0, std::min(t.dx1, t.dx2))) - 1;
 }
 
-/// The edges of a triangle that fits, whose columns count from `origin`. `row_offset` and `bend_offset` as for small
+/// The edges of a triangle that fits, whose columns count from `origin`. `row_offset` and `third_offset` as for small
 /// triangles.
 ///
 /// An edge crosses a pixel centre at multiples of 1/(16·dy) pixel, at least 512 units; slope and start are at most 140
 /// units low over 128 rows; the start is lowered by 256, so that the integer part is that of the exact edge (tested).
-inline void set_edges(const Triangle& t, std::int32_t origin, std::int32_t row_offset, std::int32_t bend_offset,
-                      FixedEdges& edges) {
+inline void set_edges(const Triangle& t, const ThirdEdge& third, std::int32_t origin, std::int32_t row_offset,
+                      std::int32_t third_offset, FixedEdges& edges) {
   const std::uint32_t start = (word(t.ax - 16 * origin + 8) << 20) - 256;
   const auto moved_down = [](std::int32_t offset, std::int32_t step) {
     return word(offset * (step >> 4) + ((offset * (step & 15)) >> 4));
@@ -65,13 +65,10 @@ inline void set_edges(const Triangle& t, std::int32_t origin, std::int32_t row_o
     edges.right = start + moved_down(row_offset, step);
     edges.right_step = word(step);
   }
-  const bool right_bends = t.dy1 < t.dy2;
-  const std::int32_t dx = right_bends ? t.dx2 - t.dx1 : t.dx1 - t.dx2;
-  const std::int32_t dy = right_bends ? t.dy2 - t.dy1 : t.dy1 - t.dy2;
-  if (dy == 0) return;
-  const std::int32_t step = slope(dx, dy);
-  edges.bend = start + (word(right_bends ? t.dx1 : t.dx2) << 20) + moved_down(bend_offset, step);
-  edges.bend_step = word(step);
+  if (third.dy == 0) return;
+  const std::int32_t step = slope(third.dx, third.dy);
+  edges.third = start + (word(third.x) << 20) + moved_down(third_offset, step);
+  edges.third_step = word(step);
 }
 
 }  // namespace medium_triangle

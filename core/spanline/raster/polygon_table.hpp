@@ -54,17 +54,20 @@ class PolygonTable {
 
   /// Appends a polygon that starts in `band`. The caller has checked that there is room.
   void append(std::int32_t band, Link source) {
-    const Link number = polygon_count++;
-    PolygonReference& reference = references[number];
-    Link& tail = buckets[static_cast<std::size_t>(band)];
+    const std::uint32_t number = polygon_count;
+    polygon_count = static_cast<Link>(number + 1);
+    PolygonReference* const first = references.data();
+    PolygonReference& reference = first[number];
+    Link& bucket = buckets[static_cast<std::size_t>(band)];
+    const Link tail = bucket;
+    bucket = static_cast<Link>(number);
     reference.source = source;
     if (tail == no_link) {
-      reference.next = number;
+      reference.next = static_cast<Link>(number);
     } else {
-      reference.next = references[tail].next;
-      references[tail].next = number;
+      reference.next = first[tail].next;
+      first[tail].next = static_cast<Link>(number);
     }
-    tail = number;
   }
 
   /// The group of a polygon, looked for from `group` on.
@@ -108,7 +111,7 @@ class PolygonTable {
       return {{v, v + 1, v + 2}, source, source};
     }
     const std::uint16_t* index = group.indices + std::size_t{3} * source;
-    return {{v + index[0], v + index[1], v + index[2]}, source, source};
+    return {{v + index[0], v + index[2], v + index[1]}, source, source};
   }
 };
 
@@ -121,7 +124,8 @@ class BucketCursor {
         polygon_(last_ == no_link ? no_link : references_[last_].next) {}
   /// The current polygon, or no_link at the end.
   [[nodiscard]] Link polygon() const { return polygon_; }
-  void advance() { polygon_ = polygon_ == last_ ? no_link : references_[polygon_].next; }
+  /// Moves on, and gives the polygon there.
+  Link next() { return polygon_ = polygon_ == last_ ? no_link : references_[polygon_].next; }
 
  private:
   const PolygonReference* references_;

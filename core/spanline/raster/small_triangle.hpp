@@ -52,8 +52,9 @@ class Gradients {
   /// triangle is too thin or the slope too steep for this precision, and the wide set-up must take it. The column of
   /// origin is `margin` left of a's pixel.
   template <Precision Wanted>
-  [[nodiscard]] bool fit(const Triangle& t, std::int32_t value_a, std::int32_t value_b, std::int32_t value_c,
-                         std::int32_t row_offset, LinearFunction& function) const {
+  [[nodiscard, gnu::always_inline]] inline bool fit(const Triangle& t, std::int32_t value_a, std::int32_t value_b,
+                                                    std::int32_t value_c, std::int32_t row_offset,
+                                                    LinearFunction& function) const {
     // A unit of the products below is 2^shift guard units a pixel: thin triangles pass if they are short as well.
     constexpr int never_too_coarse = Wanted == Precision::depth ? 9 : 16;
     if (shift_ > never_too_coarse) {
@@ -64,8 +65,8 @@ class Gradients {
     const std::int32_t d2 = value_c - value_a;
     // 2^20·n/area per pixel in 16.16 (16 sixteenths a pixel); with inverse = 2^31/(area·2^shift) the shift is left
     // over.
-    const std::int32_t dx = scaled((d1 * t.dy2 - d2 * t.dy1) * 32);
-    const std::int32_t dy = scaled((t.dx1 * d2 - t.dx2 * d1) * 32);
+    const std::int32_t dx = scaled(d1 * t.dy2, d2 * t.dy1);
+    const std::int32_t dy = scaled(t.dx1 * d2, t.dx2 * d1);
     if ((magnitude(dx) + magnitude(dy)) >> ((Wanted == Precision::depth ? 26 : 30) - shift_) != 0) return false;
     function.dx = word(dx) << shift_;
     function.dy = word(dy) << shift_;
@@ -81,12 +82,14 @@ class Gradients {
   }
 
  private:
-  /// n·inverse / 2^16 rounded, |n| < 2^31: by one long product, or by two of 32 bits.
-  [[nodiscard]] std::int32_t scaled(std::int32_t n) const {
+  /// 32·(p − q)·inverse / 2^16 rounded, |p − q| < 2^25: by the high word of one long product, or by two of 32 bits.
+  [[nodiscard]] std::int32_t scaled(std::int32_t p, std::int32_t q) const {
 #if defined(__ARM_ARCH_6M__)
+    const std::int32_t n = (p - q) * 32;
     return (n >> 16) * inverse_ + signed_word((((word(n) & 0xffffu) * word(inverse_) >> 15) + 1) >> 1);
 #else
-    return static_cast<std::int32_t>((static_cast<std::int64_t>(n) * inverse_ + 0x8000) >> 16);
+    // Both factors are negative, since 2^15·inverse may be 2^31.
+    return multiply_high_rounded((q - p) * 64, inverse_ * -32768);
 #endif
   }
 
@@ -95,13 +98,14 @@ class Gradients {
 };
 
 /// The two edges from the top vertex and the one that follows, for a triangle that `fits`. `row_offset` is the distance
-/// from a down to the centre of the first row, and `bend_offset` that from the start of the third edge to the centre of
-/// its first row, in sixteenths.
+/// from a down to the centre of the first row, and `third_offset` that from the start of the third edge to the centre
+/// of its first row, in sixteenths.
 ///
 /// An edge crosses a pixel centre at multiples of 1/(16·dy) pixel, at least 2^-12; slope and start are within 2^-13.4
 /// together over 16 rows; the start is lowered by 2^-13, so that the integer part is always that of the exact edge
 /// (tested).
-inline void set_edges(const Triangle& t, std::int32_t row_offset, std::int32_t bend_offset, FixedEdges& edges) {
+[[gnu::always_inline]] inline void set_edges(const Triangle& t, const ThirdEdge& third, std::int32_t row_offset,
+                                             std::int32_t third_offset, FixedEdges& edges) {
   const std::uint32_t start = (word(t.ax & 15) << 22) + ((margin * 16 + 8u) << 22) - (1u << 13);
   const auto moved_down = [](std::int32_t dx, std::int32_t offset, std::uint32_t inverse) {
     return word(offset * dx) * (inverse >> 4);  // offset/16 rows of slope dx·2^26/dy
@@ -112,12 +116,9 @@ inline void set_edges(const Triangle& t, std::int32_t row_offset, std::int32_t b
   const std::uint32_t inverse1 = reciprocal_q26[word(t.dy1)];
   edges.right_step = word(t.dx1) * inverse1;
   edges.right = start + moved_down(t.dx1, row_offset, inverse1);
-  const bool right_bends = t.dy1 < t.dy2;
-  const std::int32_t dx3 = right_bends ? t.dx2 - t.dx1 : t.dx1 - t.dx2;
-  const std::int32_t dy3 = right_bends ? t.dy2 - t.dy1 : t.dy1 - t.dy2;
-  const std::uint32_t inverse3 = reciprocal_q26[word(dy3)];
-  edges.bend_step = word(dx3) * inverse3;
-  edges.bend = start + (word(right_bends ? t.dx1 : t.dx2) << 22) + moved_down(dx3, bend_offset, inverse3);
+  const std::uint32_t inverse3 = reciprocal_q26[word(third.dy)];
+  edges.third_step = word(third.dx) * inverse3;
+  edges.third = start + (word(third.x) << 22) + moved_down(third.dx, third_offset, inverse3);
 }
 
 }  // namespace small_triangle

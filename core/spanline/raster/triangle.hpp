@@ -48,4 +48,16 @@ struct Triangle {
   }
 };
 
+/// The edge between b and c, which takes over from a → b on the right or from a → c on the left.
+struct ThirdEdge {
+  bool on_right;
+  std::int32_t x, y;    ///< its upper end, from a
+  std::int32_t dx, dy;  ///< down to its lower end; dy ≥ 0
+
+  [[nodiscard]] static inline ThirdEdge of(const Triangle& t) {
+    if (t.dy1 < t.dy2) return {true, t.dx1, t.dy1, t.dx2 - t.dx1, t.dy2 - t.dy1};
+    return {false, t.dx2, t.dy2, t.dx1 - t.dx2, t.dy1 - t.dy2};
+  }
+};
+
 }  // namespace spanline

@@ -71,13 +71,13 @@ struct ShaderList {
 
   /// Calls f.template operator()<Shader>() for the shader at `index`.
   template <class F>
-  static inline auto with(std::uint8_t index, F&& f) {
+  [[gnu::always_inline]] static inline auto with(std::uint8_t index, F&& f) {
     return with_from<F, Shaders...>(index, f);
   }
 
  private:
   template <class F, class First, class... Rest>
-  static inline auto with_from(std::uint8_t index, F& f) {
+  [[gnu::always_inline]] static inline auto with_from(std::uint8_t index, F& f) {
     if constexpr (sizeof...(Rest) == 0)
       return f.template operator()<First>();
     else

@@ -101,8 +101,8 @@ class DepthBuffer {
   /// Draws one band. `shading` is parallel to the table's groups; `covered(id)` is told of each polygon that
   /// is activated (for Counting only).
   template <class ShadingGroup, class Covered>
-  void draw_band(const PolygonTable& table, std::span<const ShadingGroup> shading, std::int32_t band, Viewport viewport,
-                 const Target& whole_target, Covered&& covered) {
+  [[gnu::noinline]] void draw_band(const PolygonTable& table, std::span<const ShadingGroup> shading, std::int32_t band,
+                                   Viewport viewport, const Target& whole_target, Covered&& covered) {
     const TargetWithBounds target = with_bounds(whole_target);
     walk_band<true>(table, shading, band, viewport, target, covered);
     fragments_.finish_band(target.depth, target.pixels,
@@ -111,8 +111,8 @@ class DepthBuffer {
 
   /// Steps over a band that somebody else draws; of its target, rows and width count.
   template <class ShadingGroup>
-  void skip_band(const PolygonTable& table, std::span<const ShadingGroup> shading, std::int32_t band, Viewport viewport,
-                 const Target& target) {
+  [[gnu::noinline]] void skip_band(const PolygonTable& table, std::span<const ShadingGroup> shading, std::int32_t band,
+                                   Viewport viewport, const Target& target) {
     walk_band<false>(table, shading, band, viewport, target, [](std::uint32_t) {});
   }
 
@@ -145,42 +145,39 @@ class DepthBuffer {
   template <bool Drawn, class ShadingGroup, class Covered>
   [[gnu::always_inline]] void walk_band(const PolygonTable& table, std::span<const ShadingGroup> shading,
                                         std::int32_t band, Viewport viewport, const Target& target, Covered&& covered) {
-    Job<ShadingGroup> job{.table = table,
+    Job<ShadingGroup> job{.triangle = {},
+                          .table = table,
                           .shading = shading.data(),
                           .group = table.groups.data(),
                           .viewport = viewport,
                           .target = target,
-                          .group_end = 0,
-                          .triangle = {}};
+                          .group_end = 0};
     job.find_group_end();
     BucketCursor starting(table, band);
     Link* link = &active_;
     for (;;) {
       const Link continuing = *link == no_link ? no_link : pool_[*link].polygon;
-      const Link beginning = starting.polygon();
-      if (beginning < continuing) {
-        starting.advance();
-        job.find_group(beginning);
-        begin<Drawn>(job, beginning, link, covered);
-      } else if (continuing != no_link) {
-        job.find_group(continuing);
-        go_on<Drawn>(job, link);
-      } else {
-        break;
+      // What starts here before it; `link` stays in front of it.
+      for (Link polygon = starting.polygon(); polygon < continuing; polygon = starting.next()) {
+        job.find_group(polygon);
+        begin<Drawn>(job, polygon, link, covered);
       }
+      if (continuing == no_link) break;
+      job.find_group(continuing);
+      go_on<Drawn>(job, link);
     }
   }
 
   /// What the polygons of a band have in common, the group of the current one, and room to set it up.
   template <class ShadingGroup>
   struct Job {
+    ActiveTriangle triangle;  // first: Thumb-1 reaches near fields by shorter instructions
     const PolygonTable& table;
     const ShadingGroup* shading;
     const PolygonGroup* group;
     Viewport viewport;
     const Target& target;
     Link group_end;  ///< number of the first polygon behind the group
-    ActiveTriangle triangle;
 
     /// Polygons come in order of submission, so groups do as well.
     void find_group(Link polygon) {
@@ -197,30 +194,31 @@ class DepthBuffer {
   };
 
   template <bool Drawn, class ShadingGroup, class Covered>
-  void begin(Job<ShadingGroup>& job, Link polygon, Link*& link, Covered& covered) {
+  [[gnu::always_inline]] inline void begin(Job<ShadingGroup>& job, Link polygon, Link*& link, Covered& covered) {
     const PolygonCorners corners = job.table.corners(*job.group, polygon);
     if constexpr (!Drawn) {
       const auto [p, q, r] = corners.corner;
       if (row_at(std::max({p->y, q->y, r->y})) <= job.target.end_row) return;
     }
-    Shaders::with(job.shading->shader, [&]<class Shader>() {
-      typename Shader::Surface surface;
-      const auto [a, b, c] = corners.corner;
-      if constexpr (SurfaceInBlocks<typename Shader::Surface>) {
-        if (!activate_in_blocks<Shader>(corners, job, surface)) return;
-      } else if constexpr (Shader::interpolates) {
-        if (!activate<Shader>(a, b, c, job, surface)) return;
-      } else {
-        if (!activate_plain(a, b, c, job)) return;
-        Shader::make(surface, *job.shading, corners);
-      }
-      if constexpr (Counting && Drawn) {
-        if (covers_pixels(job.triangle, corners, job.viewport)) covered(job.shading->first_id + corners.triangle);
-      }
-      if (pass_rows<Drawn, Shader>(job.triangle, surface, job.target,
-                                   [&] { return job.table.corners(*job.group, polygon); }))
-        keep(job.triangle, surface, polygon, link);
-    });
+    Shaders::with(
+        job.shading->shader, [&]<class Shader>() __attribute__((always_inline)) {
+          typename Shader::Surface surface;
+          const auto [a, b, c] = corners.corner;
+          if constexpr (SurfaceInBlocks<typename Shader::Surface>) {
+            if (!activate_in_blocks<Shader>(corners, job, surface)) return;
+          } else if constexpr (Shader::interpolates) {
+            if (!activate<Shader>(a, b, c, job, surface)) return;
+          } else {
+            if (!activate_plain(a, b, c, job)) return;
+            Shader::make(surface, *job.shading, corners);
+          }
+          if constexpr (Counting && Drawn) {
+            if (covers_pixels(job.triangle, corners, job.viewport)) covered(job.shading->first_id + corners.triangle);
+          }
+          if (pass_rows<Drawn, Shader>(job.triangle, surface, job.target,
+                                       [&] { return job.table.corners(*job.group, polygon); }))
+            keep(job.triangle, surface, polygon, link);
+        });
   }
 
   /// Draws the rows of a polygon that lie in the band, or steps over them. True if it goes on below.
@@ -239,13 +237,15 @@ class DepthBuffer {
     }
   }
 
-  /// Edges and plane of a polygon, and its surface where that interpolates. Functions of their own: set-up wants every
-  /// register.
+  /// Edges and plane of a polygon, and its surface. A function of its own: that set-up wants every register.
   template <class Shader, class ShadingGroup>
   [[gnu::noinline]] static bool activate(const ScreenVertex* a, const ScreenVertex* b, const ScreenVertex* c,
                                          Job<ShadingGroup>& job, typename Shader::Surface& surface) {
-    return set_up<Depth>(a, b, c, *job.group, job.viewport, job.triangle,
-                         [&](const AttributeGradients& gradients) { Shader::make(surface, *job.shading, gradients); });
+    return set_up<Depth>(
+        a, b, c, *job.group, job.viewport,
+        job.triangle, [&](const AttributeGradients& gradients) __attribute__((always_inline)) {
+          Shader::make(surface, *job.shading, gradients);
+        });
   }
   template <class Shader, class ShadingGroup>
   [[gnu::noinline]] static bool activate_in_blocks(const PolygonCorners& corners, Job<ShadingGroup>& job,
@@ -255,9 +255,10 @@ class DepthBuffer {
       Shader::make(surface, *job.shading, corners, gradients);
     });
   }
+  /// Edges and plane of a polygon whose surface does not interpolate.
   template <class ShadingGroup>
-  [[gnu::noinline]] static bool activate_plain(const ScreenVertex* a, const ScreenVertex* b, const ScreenVertex* c,
-                                               Job<ShadingGroup>& job) {
+  [[gnu::always_inline]] static inline bool activate_plain(const ScreenVertex* a, const ScreenVertex* b,
+                                                           const ScreenVertex* c, Job<ShadingGroup>& job) {
     return set_up<Depth>(a, b, c, *job.group, job.viewport, job.triangle, [](const AttributeGradients&) {});
   }
 
@@ -293,7 +294,7 @@ class DepthBuffer {
       return;
     }
     Entry& kept = pool_[entry];
-    kept.triangle = triangle;
+    kept.triangle.assign(triangle);
     new (kept.surface.bytes) ShaderSurface(surface);
     kept.polygon = polygon;
     kept.next = *link;
@@ -328,8 +329,7 @@ class DepthBuffer {
       const int fraction_bits = is_small ? small_triangle::fraction_bits : medium_triangle::fraction_bits;
       first = triangle.origin + signed_word(triangle.fixed.left >> fraction_bits);
       end = triangle.origin + signed_word(triangle.fixed.right >> fraction_bits);
-      triangle.fixed.left += triangle.fixed.left_step;
-      triangle.fixed.right += triangle.fixed.right_step;
+      triangle.fixed.next_row();
     }
     ++triangle.row;
     --(triangle.rows_to_bend != 0 ? triangle.rows_to_bend : triangle.rows_after_bend);

@@ -54,8 +54,7 @@ struct SeeThroughRows {
                                                                                    : medium_triangle::fraction_bits;
     const Columns columns{signed_word(triangle.fixed.left >> fraction_bits),
                           signed_word(triangle.fixed.right >> fraction_bits)};
-    triangle.fixed.left += triangle.fixed.left_step;
-    triangle.fixed.right += triangle.fixed.right_step;
+    triangle.fixed.next_row();
     return columns;
   }
 

@@ -11,12 +11,8 @@ inline void put_third_edge(ActiveTriangle& triangle, const PolygonCorners& corne
   triangle.flags.set_bent();
   if (triangle.flags.size() == ActiveTriangle::Size::large) {
     bend_large(corners, triangle);
-  } else if (triangle.flags.right_bends()) {
-    triangle.fixed.right = triangle.fixed.bend;
-    triangle.fixed.right_step = triangle.fixed.bend_step;
   } else {
-    triangle.fixed.left = triangle.fixed.bend;
-    triangle.fixed.left_step = triangle.fixed.bend_step;
+    triangle.fixed.bend(triangle.flags.right_bends());
   }
 }
 
@@ -25,28 +21,22 @@ inline void put_third_edge(ActiveTriangle& triangle, const PolygonCorners& corne
 template <class Surface, class CornersOf>
 [[nodiscard]] bool skip_rows(ActiveTriangle& triangle, Surface& surface, std::int32_t end_row, CornersOf corners_of) {
   if (triangle.end_row() <= end_row) return false;
-  const auto walk = [&triangle](std::int32_t rows) {
-    triangle.row = static_cast<std::uint16_t>(triangle.row + rows);
-    if (triangle.flags.size() != ActiveTriangle::Size::large) {
-      triangle.fixed.left += triangle.fixed.left_step * word(rows);
-      triangle.fixed.right += triangle.fixed.right_step * word(rows);
-      return;
-    }
-    for (; rows > 0; --rows) {
-      triangle.large.left.next_row();
-      triangle.large.right.next_row();
-    }
-  };
   const std::int32_t rows = end_row - triangle.row;
-  const std::int32_t before = std::min<std::int32_t>(triangle.rows_to_bend, rows), after = rows - before;
-  walk(before);
-  triangle.rows_to_bend = static_cast<std::uint16_t>(triangle.rows_to_bend - before);
-  if (after > 0) {
-    if (!triangle.flags.bent()) put_third_edge(triangle, corners_of());
-    walk(after);
-    triangle.rows_after_bend = static_cast<std::uint16_t>(triangle.rows_after_bend - after);
+  const std::int32_t before = std::min(triangle.rows_to_bend, rows), after = rows - before;
+  if (triangle.flags.size() != ActiveTriangle::Size::large) {
+    triangle.skip_rows(before, after);
+  } else {
+    triangle.large.skip_rows(before);
+    if (after > 0) {
+      triangle.row += before;  // where the third edge begins
+      if (!triangle.flags.bent()) put_third_edge(triangle, corners_of());
+      triangle.large.skip_rows(after);
+    }
+    triangle.depth.skip_rows(rows);
   }
-  triangle.depth.skip_rows(rows);
+  triangle.row = end_row;
+  triangle.rows_to_bend -= before;
+  triangle.rows_after_bend -= after;
   surface.skip_rows(rows);
   return true;
 }

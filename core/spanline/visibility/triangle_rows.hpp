@@ -74,9 +74,13 @@ class TriangleRows {
     }
     const std::int32_t before_here = std::min(before, available), after_here = available - before_here;
     draw_rows(triangle, surface, target, before_here, after_here, corners_of);
-    triangle.row = static_cast<std::uint16_t>(target.end_row);
-    triangle.rows_to_bend = static_cast<std::uint16_t>(before - before_here);
-    triangle.rows_after_bend = static_cast<std::uint16_t>(after - after_here);
+    if (triangle.flags.size() != ActiveTriangle::Size::large) {
+      triangle.skip_rows(before_here, after_here);
+      surface.skip_rows(available);
+    }
+    triangle.row = target.end_row;
+    triangle.rows_to_bend = before - before_here;
+    triangle.rows_after_bend = after - after_here;
     return true;
   }
 
@@ -122,18 +126,19 @@ class TriangleRows {
     }
   }
 
-  /// The rows of a small or medium triangle that lie in the band. A function of its own: its loop wants every register.
+  /// Draws rows of a small or medium triangle, and leaves it and its surface where they stand. A function of its own:
+  /// its loop wants every register.
   template <int FractionBits, class Surface>
-  [[gnu::noinline]] static void fixed_rows(ActiveTriangle& triangle, Surface& kept_surface, const Target& target,
+  [[gnu::noinline]] static void fixed_rows(const ActiveTriangle& triangle, Surface surface, const Target& target,
                                            std::int32_t rows, std::int32_t rows_after) {
-    Surface surface = kept_surface;
-    std::uint32_t left = triangle.fixed.left, right = triangle.fixed.right, z = triangle.depth.at_origin;
-    const std::uint32_t dz = triangle.depth.dx;
+    FixedEdges edges = triangle.fixed;
+    std::uint32_t z = triangle.depth.at_origin;
+    const std::uint32_t dz = triangle.depth.dx, dz_row = triangle.depth.dy;
     const std::int32_t offset = (triangle.row - target.first_row) * target.width + triangle.origin;
     RowAddress<typename Depth::Word, Pixel> row(target.depth, target.pixels, offset);
     for (;;) {
       for (; rows > 0; --rows) {
-        const std::uint32_t first = left >> FractionBits, end = right >> FractionBits;
+        const std::uint32_t first = edges.left >> FractionBits, end = edges.right >> FractionBits;
         if (end > first) {
           count(target, end - first);
           auto* depth = row.depth(first);
@@ -149,29 +154,16 @@ class TriangleRows {
                           counted(surface.source(static_cast<std::int32_t>(first)), target));
           }
         }
-        left += triangle.fixed.left_step;
-        right += triangle.fixed.right_step;
-        z += triangle.depth.dy;
+        edges.next_row();
+        z += dz_row;
         surface.next_row();
         row.next_row(target.width);
       }
       if (rows_after == 0) break;
       rows = rows_after;
       rows_after = 0;
-      if (triangle.flags.bent()) continue;
-      triangle.flags.set_bent();
-      if (triangle.flags.right_bends()) {
-        right = triangle.fixed.bend;
-        triangle.fixed.right_step = triangle.fixed.bend_step;
-      } else {
-        left = triangle.fixed.bend;
-        triangle.fixed.left_step = triangle.fixed.bend_step;
-      }
+      if (!triangle.flags.bent()) edges.bend(triangle.flags.right_bends());
     }
-    triangle.fixed.left = left;
-    triangle.fixed.right = right;
-    triangle.depth.at_origin = z;
-    kept_surface = surface;
   }
 
   /// A run against the depth buffer; `z` is the plane word at its first pixel.
@@ -206,14 +198,15 @@ class TriangleRows {
     Edge left = triangle.large.left, right = triangle.large.right;
     std::uint32_t z = triangle.depth.at_origin;
     const std::uint32_t dz = triangle.depth.dx, dz_row = triangle.depth.dy;
+    const bool clipped = triangle.flags.clipped();
     const std::int32_t offset = (triangle.row - target.first_row) * target.width;
     auto* depth = target.depth + offset;
     auto* pixels = target.pixels + offset;
     [[maybe_unused]] std::int32_t line = triangle.row - target.first_row;
-    triangle.row = static_cast<std::uint16_t>(triangle.row + rows);
+    triangle.row = triangle.row + rows;
     for (; rows > 0; --rows, ++line) {
       std::int32_t first = left.x, end = right.x;
-      if (triangle.flags.clipped()) {
+      if (clipped) {
         first = std::max<std::int32_t>(first, 0);
         end = std::min(end, target.width);
       }

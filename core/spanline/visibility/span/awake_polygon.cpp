@@ -8,9 +8,8 @@ struct Rows {
   std::int32_t first, bend, end;
 };
 
-Rows rows_of(const Triangle& t) {
-  const std::int32_t row1 = row_at(t.ay + t.dy1), row2 = row_at(t.ay + t.dy2);
-  return t.dy1 < t.dy2 ? Rows{row_at(t.ay), row1, row2} : Rows{row_at(t.ay), row2, row1};
+Rows rows_of(const Triangle& t, const ThirdEdge& third) {
+  return {row_at(t.ay), row_at(t.ay + third.y), row_at(t.ay + third.y + third.dy)};
 }
 
 /// Brings fixed edges from the polygon's first row down to `row`.
@@ -19,9 +18,9 @@ void move_down(FixedEdges& edges, bool right_bends, const Rows& rows, std::int32
   edges.left += edges.left_step * down;
   edges.right += edges.right_step * down;
   if (row < rows.bend) return;
-  const std::uint32_t at_bend = edges.bend + edges.bend_step * word(row - rows.bend);
+  const std::uint32_t at_bend = edges.third + edges.third_step * word(row - rows.bend);
   (right_bends ? edges.right : edges.left) = at_bend;
-  (right_bends ? edges.right_step : edges.left_step) = edges.bend_step;
+  (right_bends ? edges.right_step : edges.left_step) = edges.third_step;
 }
 
 Edge edge_between(const ScreenVertex& from, const ScreenVertex& to, std::int32_t row) {
@@ -49,8 +48,9 @@ void place_large(AwakePolygon& polygon, const Triangle& t, const Rows& rows, std
 
 [[gnu::noinline]] Rows place_wide(AwakePolygon& polygon, Triangle& t, bool scissored, std::int32_t row) {
   if (t.wide_doubled_area() < 0) t.flip();
-  const Rows rows = rows_of(t);
-  polygon.right_bends = t.dy1 < t.dy2;
+  const ThirdEdge third = ThirdEdge::of(t);
+  const Rows rows = rows_of(t, third);
+  polygon.right_bends = third.on_right;
   if (scissored || !medium_triangle::fits(t)) {
     place_large(polygon, t, rows, row);
     return rows;
@@ -58,8 +58,8 @@ void place_large(AwakePolygon& polygon, const Triangle& t, const Rows& rows, std
   const std::int32_t origin = medium_triangle::origin_of(t);
   polygon.fraction_bits = medium_triangle::fraction_bits;
   polygon.origin = static_cast<std::int16_t>(origin - row_bias);
-  medium_triangle::set_edges(t, origin, 16 * rows.first + 8 - t.ay,
-                             16 * rows.bend + 8 - t.ay - (polygon.right_bends ? t.dy1 : t.dy2), polygon.fixed);
+  medium_triangle::set_edges(t, third, origin, 16 * rows.first + 8 - t.ay, 16 * rows.bend + 8 - t.ay - third.y,
+                             polygon.fixed);
   move_down(polygon.fixed, polygon.right_bends, rows, row);
   return rows;
 }
@@ -89,12 +89,12 @@ std::int32_t wake(AwakePolygon& polygon, const PolygonSource& source, Link numbe
   std::int32_t area;
   if (!scissored && is_small(t, area)) {
     if (area < 0) t.flip();
-    rows = rows_of(t);
-    polygon.right_bends = t.dy1 < t.dy2;
+    const ThirdEdge third = ThirdEdge::of(t);
+    rows = rows_of(t, third);
+    polygon.right_bends = third.on_right;
     polygon.fraction_bits = small_triangle::fraction_bits;
-    polygon.origin = static_cast<std::int16_t>((t.ax >> 4) - row_bias - small_triangle::margin);
-    small_triangle::set_edges(t, 16 * rows.first + 8 - t.ay,
-                              16 * rows.bend + 8 - t.ay - (polygon.right_bends ? t.dy1 : t.dy2), polygon.fixed);
+    polygon.origin = static_cast<std::int16_t>(small_triangle::origin_of(t));
+    small_triangle::set_edges(t, third, 16 * rows.first + 8 - t.ay, 16 * rows.bend + 8 - t.ay - third.y, polygon.fixed);
     if (biased_row != rows.first || rows.first == rows.bend)
       move_down(polygon.fixed, polygon.right_bends, rows, biased_row);
   } else {
@@ -115,8 +115,7 @@ bool turn(AwakePolygon& polygon, const PolygonSource& source, std::int32_t row) 
     FixedEdges& edges = polygon.fixed;
     edges.left += edges.left_step;
     edges.right += edges.right_step;
-    (polygon.right_bends ? edges.right : edges.left) = edges.bend;
-    (polygon.right_bends ? edges.right_step : edges.left_step) = edges.bend_step;
+    edges.bend(polygon.right_bends);
     return true;
   }
   polygon.large.left.next_row();

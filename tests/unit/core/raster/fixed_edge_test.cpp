@@ -59,7 +59,8 @@ TEST(SmallEdges, EdgesFromTheTopVertexAreExactForEverySlopeStartAndRow) {
       for (int sub_pixel = 0; sub_pixel < 16; ++sub_pixel)
         for (int offset = 0; offset < 16 && offset < dy; ++offset) {
           FixedEdges edges{};
-          small_triangle::set_edges(triangle(sub_pixel, dx, dy, dx, dy), offset, 0, edges);
+          small_triangle::set_edges(triangle(sub_pixel, dx, dy, dx, dy),
+                                    ThirdEdge::of(triangle(sub_pixel, dx, dy, dx, dy)), offset, 0, edges);
           wrong += wrong_rows(small(edges.left, edges.left_step), sub_pixel, dx, dy, offset);
           wrong += wrong_rows(small(edges.right, edges.right_step), sub_pixel, dx, dy, offset);
           rows += 2 * ((dy - offset + 15) / 16);
@@ -77,10 +78,12 @@ TEST(SmallEdges, ThirdEdgesAreExactForEverySlopeStartAndRow) {
         for (int offset = 0; offset < 16 && offset < dy; ++offset) {
           const int start = dx > 0 ? -(dx / 2) : (-dx + 1) / 2, end = start + dx;
           FixedEdges edges{};
-          small_triangle::set_edges(triangle(sub_pixel, start, 1, end, 1 + dy), 0, offset, edges);
-          wrong += wrong_rows(small(edges.bend, edges.bend_step), sub_pixel + start, dx, dy, offset);
-          small_triangle::set_edges(triangle(sub_pixel, end, 1 + dy, start, 1), 0, offset, edges);
-          wrong += wrong_rows(small(edges.bend, edges.bend_step), sub_pixel + start, dx, dy, offset);
+          small_triangle::set_edges(triangle(sub_pixel, start, 1, end, 1 + dy),
+                                    ThirdEdge::of(triangle(sub_pixel, start, 1, end, 1 + dy)), 0, offset, edges);
+          wrong += wrong_rows(small(edges.third, edges.third_step), sub_pixel + start, dx, dy, offset);
+          small_triangle::set_edges(triangle(sub_pixel, end, 1 + dy, start, 1),
+                                    ThirdEdge::of(triangle(sub_pixel, end, 1 + dy, start, 1)), 0, offset, edges);
+          wrong += wrong_rows(small(edges.third, edges.third_step), sub_pixel + start, dx, dy, offset);
           rows += 2 * ((dy - offset + 15) / 16);
         }
   EXPECT_EQ(wrong, 0) << "of " << rows << " rows";
@@ -102,11 +105,13 @@ TEST(MediumEdges, EdgesAreExactForEveryHeightAndRow) {
         return Walked{column, step, medium_triangle::fraction_bits, origin - row_bias};
       };
       FixedEdges edges{};
-      medium_triangle::set_edges(triangle(sub_pixel, dx, dy, dx, dy), origin, offset, 0, edges);
+      medium_triangle::set_edges(triangle(sub_pixel, dx, dy, dx, dy),
+                                 ThirdEdge::of(triangle(sub_pixel, dx, dy, dx, dy)), origin, offset, 0, edges);
       wrong += wrong_rows(medium(edges.left, edges.left_step), sub_pixel, dx, dy, offset);
       wrong += wrong_rows(medium(edges.right, edges.right_step), sub_pixel, dx, dy, offset);
-      medium_triangle::set_edges(triangle(sub_pixel, 0, 0, dx, dy), origin, 0, offset, edges);
-      wrong += wrong_rows(medium(edges.bend, edges.bend_step), sub_pixel, dx, dy, offset);
+      medium_triangle::set_edges(triangle(sub_pixel, 0, 0, dx, dy), ThirdEdge::of(triangle(sub_pixel, 0, 0, dx, dy)),
+                                 origin, 0, offset, edges);
+      wrong += wrong_rows(medium(edges.third, edges.third_step), sub_pixel, dx, dy, offset);
       rows += 3 * ((dy - offset + 15) / 16);
     }
   EXPECT_EQ(wrong, 0) << "of " << rows << " rows";
