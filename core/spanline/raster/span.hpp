@@ -92,6 +92,14 @@ concept SeeThrough = requires {
   requires Shader::see_through;
 };
 
+/// A surface whose pixels come from a table of 64 by the top bits of one linear function: loops in assembly know it.
+template <class S>
+concept RampSurface = requires(const S& surface) {
+  { surface.intensity.at_origin } -> std::convertible_to<std::uint32_t>;
+  { surface.ramp[0] } -> std::convertible_to<std::uint32_t>;
+  requires S::ramp_bits == 6;
+};
+
 /// Numbers of polygons and vertices inside a frame: 16 bits on microcontrollers (65,534 polygons), 32 bits where
 /// pointers have 64.
 using Link = std::conditional_t<(sizeof(void*) > 4), std::uint32_t, std::uint16_t>;

@@ -56,6 +56,7 @@ struct GouraudShader {
   };
 
   struct Surface {
+    static constexpr int ramp_bits = gouraud::ramp_bits;  // a RampSurface
     LinearFunction intensity;
     const Pixel* ramp;
     void next_row() { intensity.next_row(); }

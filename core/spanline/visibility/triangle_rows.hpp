@@ -1,16 +1,20 @@
 #pragma once
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
 #include "spanline/raster/active_triangle.hpp"
 #include "spanline/visibility/band_target.hpp"
 #include "spanline/visibility/block_run.hpp"
 #include "spanline/visibility/depth_run.hpp"
+#include "spanline/visibility/flat_rows_armv6m.hpp"
+#include "spanline/visibility/ramp_rows_armv6m.hpp"
 
 namespace spanline {
 
-/// Where a row of a band lies in both buffers. Where their words have one size, one address and a constant distance
-/// serve for both: a register less in the loops.
+/// Where a row of a band lies in both buffers. Where their words have one size,
+/// one address and a constant distance serve for both: a register less in the
+/// loops.
 template <class Word, class Pixel>
 class RowAddress {
  public:
@@ -50,16 +54,17 @@ struct CountedSource : Source {
   }
 };
 
-/// Draws the rows of an active triangle that lie in a band, testing depth. Input: the triangle and surface on
-/// their current row. Output: pixels and depths; the triangle and surface on the row after the band if they go on.
+/// Draws the rows of an active triangle that lie in a band, testing depth.
+/// Input: the triangle and surface on their current row. Output: pixels and
+/// depths; the triangle and surface on the row after the band if they go on.
 template <class Depth, class Pixel, bool Counting, bool Bounded>
 class TriangleRows {
  public:
   using Target = BandTarget<Depth, Pixel>;
   using Run = DepthRun<Depth, Pixel>;
 
-  /// `corners_of` gives the polygon's corners, asked for only where a large triangle meets its bend. True if the
-  /// triangle goes on below the band.
+  /// `corners_of` gives the polygon's corners, asked for only where a large
+  /// triangle meets its bend. True if the triangle goes on below the band.
   template <class Surface, class CornersOf>
   static bool draw(ActiveTriangle& triangle, Surface& surface, const Target& target, CornersOf corners_of) {
     const std::int32_t before = triangle.rows_to_bend, after = triangle.rows_after_bend;
@@ -126,11 +131,15 @@ class TriangleRows {
     }
   }
 
-  /// Draws rows of a small or medium triangle, and leaves it and its surface where they stand. A function of its own:
-  /// its loop wants every register.
+  /// Draws rows of a small or medium triangle, and leaves it and its surface
+  /// where they stand. A function of its own: its loop wants every register.
   template <int FractionBits, class Surface>
   [[gnu::noinline]] static void fixed_rows(const ActiveTriangle& triangle, Surface surface, const Target& target,
                                            std::int32_t rows, std::int32_t rows_after) {
+    if constexpr (flat_in_assembly<Surface>)
+      return flat_rows<FractionBits>(triangle, surface, target, rows, rows_after);
+    if constexpr (ramp_in_assembly<Surface, FractionBits>)
+      return ramp_rows(triangle, surface, target, rows, rows_after);
     FixedEdges edges = triangle.fixed;
     std::uint32_t z = triangle.depth.at_origin;
     const std::uint32_t dz = triangle.depth.dx, dz_row = triangle.depth.dy;
@@ -178,7 +187,8 @@ class TriangleRows {
       Run::run(depth, pixels, pixel_count, z, dz, counted(surface.source(column), target));
   }
 
-  /// A piece of a run that bounds have not rejected; where they accept it, nothing need be compared.
+  /// A piece of a run that bounds have not rejected; where they accept it,
+  /// nothing need be compared.
   template <class Surface>
   static void draw_piece(const Surface& surface, std::int32_t column, typename Depth::Word* depth, Pixel* pixels,
                          std::uint32_t pixel_count, std::uint32_t z, std::uint32_t dz, const Target& target,
@@ -192,6 +202,92 @@ class TriangleRows {
     if constexpr (Counting) target.counters->depth_tests += pixel_count;
     test_piece(surface, column, depth, pixels, pixel_count, z, dz, target);
   }
+
+#if defined(__ARM_ARCH_6M__)
+  static constexpr bool formats_in_assembly = !Counting && Depth::bits == 16 && Depth::smaller && sizeof(Pixel) == 2;
+  /// Whether triangles of a surface take the rows in assembly: one pixel value,
+  /// or a ramp's in short rows.
+  template <class Surface>
+  static constexpr bool flat_in_assembly = [] {
+    if constexpr (requires(const Surface& surface) { surface.source(0); })
+      return formats_in_assembly && decltype(std::declval<Surface>().source(0))::constant;
+    return false;
+  }();
+  template <class Surface, int FractionBits>
+  static constexpr bool ramp_in_assembly =
+      formats_in_assembly&& RampSurface<Surface>&& FractionBits == small_triangle::fraction_bits;
+
+  static std::uintptr_t distance(const Target& target) {
+    return reinterpret_cast<std::uintptr_t>(target.pixels) - reinterpret_cast<std::uintptr_t>(target.depth);
+  }
+
+  /// Draws with rows in assembly before and after the bend.
+  template <class Loop, class Draw>
+  [[gnu::always_inline]] static inline void both_parts(const ActiveTriangle& triangle, Loop& loop,
+                                                       std::int32_t rows_after, Draw draw) {
+    for (;;) {
+      if (loop.rows > 0) draw();
+      if (rows_after == 0) break;
+      loop.rows = rows_after;
+      rows_after = 0;
+      if (triangle.flags.bent()) continue;
+      const bool right_bends = triangle.flags.right_bends();
+      (right_bends ? loop.right : loop.left) = triangle.fixed.third;
+      (right_bends ? loop.right_step : loop.left_step) = triangle.fixed.third_step;
+    }
+  }
+
+  /// fixed_rows for one pixel value.
+  template <int FractionBits, class Surface>
+  [[gnu::always_inline]] static inline void flat_rows(const ActiveTriangle& triangle, const Surface& surface,
+                                                      const Target& target, std::int32_t rows,
+                                                      std::int32_t rows_after) {
+    const std::int32_t offset = (triangle.row - target.first_row) * target.width + triangle.origin;
+    armv6m::FlatRows loop{.left = triangle.fixed.left,
+                          .right = triangle.fixed.right,
+                          .z = triangle.depth.at_origin,
+                          .depth = target.depth + offset,
+                          .distance = distance(target),
+                          .dz = triangle.depth.dx,
+                          .pixel = surface.source(0).get(),
+                          .rows = rows,
+                          .left_step = triangle.fixed.left_step,
+                          .right_step = triangle.fixed.right_step,
+                          .dz_row = triangle.depth.dy,
+                          .width_bytes = word(target.width) * 2};
+    both_parts(triangle, loop, rows_after,
+               [&] { FractionBits == small_triangle::fraction_bits ? loop.draw_short() : loop.draw_long(); });
+  }
+
+  /// fixed_rows for small triangles with a ramp.
+  template <class Surface>
+  [[gnu::always_inline]] static inline void ramp_rows(const ActiveTriangle& triangle, const Surface& surface,
+                                                      const Target& target, std::int32_t rows,
+                                                      std::int32_t rows_after) {
+    const std::int32_t offset = (triangle.row - target.first_row) * target.width + triangle.origin;
+    armv6m::RampRows loop{.left = triangle.fixed.left,
+                          .right = triangle.fixed.right,
+                          .depth = target.depth + offset,
+                          .distance = distance(target),
+                          .intensity_back = 0u - surface.intensity.dx,
+                          .ramp = surface.ramp,
+                          .dz = triangle.depth.dx,
+                          .rows = rows,
+                          .z = triangle.depth.at_origin,
+                          .intensity = surface.intensity.at_origin,
+                          .dz_row = triangle.depth.dy,
+                          .intensity_row = surface.intensity.dy,
+                          .left_step = triangle.fixed.left_step,
+                          .right_step = triangle.fixed.right_step,
+                          .width_bytes = word(target.width) * 2};
+    both_parts(triangle, loop, rows_after, [&] { loop.draw(); });
+  }
+#else
+  template <class Surface>
+  static constexpr bool flat_in_assembly = false;
+  template <class Surface, int FractionBits>
+  static constexpr bool ramp_in_assembly = false;
+#endif
 
   template <class Surface>
   static void large_rows(ActiveTriangle& triangle, Surface& surface, const Target& target, std::int32_t rows) {
