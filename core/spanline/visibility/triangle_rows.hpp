@@ -114,11 +114,11 @@ class TriangleRows {
   static void draw_rows(ActiveTriangle& triangle, Surface& surface, const Target& target, std::int32_t before,
                         std::int32_t after, CornersOf& corners_of) {
     if (triangle.flags.size() == ActiveTriangle::Size::small) {
-      fixed_rows<small_triangle::fraction_bits>(triangle, surface, target, before, after);
+      fixed_rows<small_triangle::fraction_bits, Surface>(triangle, surface, target, before, after);
       return;
     }
     if (triangle.flags.size() == ActiveTriangle::Size::medium) {
-      fixed_rows<medium_triangle::fraction_bits>(triangle, surface, target, before, after);
+      fixed_rows<medium_triangle::fraction_bits, Surface>(triangle, surface, target, before, after);
       return;
     }
     if (before > 0) large_rows(triangle, surface, target, before);
@@ -131,15 +131,20 @@ class TriangleRows {
     }
   }
 
+  /// How a surface travels to a function: as a value where that takes a register.
+  template <class Surface>
+  using InFewRegisters = std::conditional_t<sizeof(Surface) <= sizeof(std::uint32_t), Surface, const Surface&>;
+
   /// Draws rows of a small or medium triangle, and leaves it and its surface
   /// where they stand. A function of its own: its loop wants every register.
   template <int FractionBits, class Surface>
-  [[gnu::noinline]] static void fixed_rows(const ActiveTriangle& triangle, Surface surface, const Target& target,
-                                           std::int32_t rows, std::int32_t rows_after) {
+  [[gnu::noinline]] static void fixed_rows(const ActiveTriangle& triangle, InFewRegisters<Surface> kept_surface,
+                                           const Target& target, std::int32_t rows, std::int32_t rows_after) {
     if constexpr (flat_in_assembly<Surface>)
-      return flat_rows<FractionBits>(triangle, surface, target, rows, rows_after);
+      return flat_rows<FractionBits>(triangle, kept_surface, target, rows, rows_after);
     if constexpr (ramp_in_assembly<Surface, FractionBits>)
-      return ramp_rows(triangle, surface, target, rows, rows_after);
+      return ramp_rows(triangle, kept_surface, target, rows, rows_after);
+    Surface surface = kept_surface;
     FixedEdges edges = triangle.fixed;
     std::uint32_t z = triangle.depth.at_origin;
     const std::uint32_t dz = triangle.depth.dx, dz_row = triangle.depth.dy;
