@@ -56,7 +56,7 @@ using DisplayClock = MicrosecondClock;
 
 using DisplayPanel = displays::Wired::Panel;
 
-inline constexpr displays::DisplayBands display_bands{.lines = 24, .count = 8};
+inline constexpr displays::DisplayBands display_bands{.lines = 48, .count = 4};
 
 /// Feeds the watchdog, and starts it the first time: a program that shows no frame for 1.5 s starts anew. The counter
 /// goes down by two a microsecond (RP2040-E1).
