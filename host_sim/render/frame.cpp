@@ -324,11 +324,7 @@ std::string to_string(const PickedPixel& picked) {
 
 Picture to_picture(const std::vector<std::uint16_t>& pixels, Size size) {
   Picture picture(size.width, size.height);
-  std::transform(pixels.begin(), pixels.end(), picture.pixels.begin(), [](std::uint16_t word) {
-    const unsigned red = word >> 11, green = (word >> 5) & 63u, blue = word & 31u;
-    return Rgb888{static_cast<std::uint8_t>(red << 3 | red >> 2), static_cast<std::uint8_t>(green << 2 | green >> 4),
-                  static_cast<std::uint8_t>(blue << 3 | blue >> 2)};
-  });
+  std::transform(pixels.begin(), pixels.end(), picture.pixels.begin(), widened);
   return picture;
 }
 

@@ -9,4 +9,11 @@ struct Rgb888 {
   friend constexpr bool operator==(Rgb888, Rgb888) = default;
 };
 
+/// An RGB565 word, its channels widened to 8 bits: their highest bits repeat below.
+[[nodiscard]] constexpr Rgb888 widened(std::uint16_t rgb565) {
+  const unsigned red = rgb565 >> 11, green = (rgb565 >> 5) & 63u, blue = rgb565 & 31u;
+  return {static_cast<std::uint8_t>(red << 3 | red >> 2), static_cast<std::uint8_t>(green << 2 | green >> 4),
+          static_cast<std::uint8_t>(blue << 3 | blue >> 2)};
+}
+
 }  // namespace spanline

@@ -12,11 +12,6 @@ struct Colour {
   std::int32_t red, green, blue;
 
   [[nodiscard]] static Colour from(Rgb888 c) { return {c.red, c.green, c.blue}; }
-  [[nodiscard]] static Colour from_rgb565(std::uint32_t word) {
-    const auto red = static_cast<std::int32_t>(word >> 11), green = static_cast<std::int32_t>((word >> 5) & 63),
-               blue = static_cast<std::int32_t>(word & 31);
-    return {red << 3 | red >> 2, green << 2 | green >> 4, blue << 3 | blue >> 2};
-  }
   template <class F>
   [[nodiscard]] static Colour of(F channel) {
     return {channel(&Colour::red), channel(&Colour::green), channel(&Colour::blue)};
@@ -53,7 +48,7 @@ struct Sample {
   std::int32_t alpha;  ///< 255ths
 };
 
-Sample sample_of(const Texel& texel) { return {Colour::from_rgb565(texel.rgb565), texel.alpha * 17}; }
+Sample sample_of(const Texel& texel) { return {Colour::from(widened(texel.rgb565)), texel.alpha * 17}; }
 
 /// Four texels by their distance in 256ths: column by column, then row by row.
 Sample bilinear(const TexelSource& source, std::uint32_t u, std::uint32_t v) {

@@ -10,7 +10,7 @@
 #include "spanline/visibility/active_need.hpp"
 #include "spanline/visibility/fragment_lists.hpp"
 #include "spanline/visibility/see_through_rows.hpp"
-#include "spanline/visibility/skip_rows.hpp"
+#include "spanline/visibility/step_rows.hpp"
 #include "spanline/visibility/triangle_rows.hpp"
 
 namespace spanline {
@@ -305,35 +305,11 @@ class DepthBuffer {
   /// Whether any pixel centre lies inside, on the viewport's rows and columns.
   static bool covers_pixels(ActiveTriangle triangle, const PolygonCorners& corners, Viewport viewport) {
     while (triangle.rows_to_bend + triangle.rows_after_bend > 0) {
-      std::int32_t first, end;
-      if (!step_row(triangle, corners, first, end)) continue;
+      const RowColumns columns = step_row(triangle, [&] { return corners; });
+      const std::int32_t first = triangle.origin + columns.first, end = triangle.origin + columns.end;
       if (std::min(end, viewport.width) > std::max<std::int32_t>(first, 0)) return true;
     }
     return false;
-  }
-
-  /// The columns [first, end) of the current row, and a step down; false where only the bend was made.
-  static bool step_row(ActiveTriangle& triangle, const PolygonCorners& corners, std::int32_t& first,
-                       std::int32_t& end) {
-    if (triangle.rows_to_bend == 0 && !triangle.flags.bent()) {
-      put_third_edge(triangle, corners);
-      return false;
-    }
-    if (triangle.flags.size() == ActiveTriangle::Size::large) {
-      first = triangle.large.left.x;
-      end = triangle.large.right.x;
-      triangle.large.left.next_row();
-      triangle.large.right.next_row();
-    } else {
-      const bool is_small = triangle.flags.size() == ActiveTriangle::Size::small;
-      const int fraction_bits = is_small ? small_triangle::fraction_bits : medium_triangle::fraction_bits;
-      first = triangle.origin + signed_word(triangle.fixed.left >> fraction_bits);
-      end = triangle.origin + signed_word(triangle.fixed.right >> fraction_bits);
-      triangle.fixed.next_row();
-    }
-    ++triangle.row;
-    --(triangle.rows_to_bend != 0 ? triangle.rows_to_bend : triangle.rows_after_bend);
-    return true;
   }
 
   std::span<Entry> pool_;

@@ -5,7 +5,7 @@
 
 #include "spanline/raster/active_triangle.hpp"
 #include "spanline/visibility/band_target.hpp"
-#include "spanline/visibility/skip_rows.hpp"
+#include "spanline/visibility/step_rows.hpp"
 
 namespace spanline {
 
@@ -22,45 +22,25 @@ struct SeeThroughRows {
                                      Fragments& fragments, CornersOf corners_of) {
     while (triangle.rows_to_bend + triangle.rows_after_bend > 0) {
       if (triangle.row == target.end_row) return true;
-      if (triangle.rows_to_bend == 0 && !triangle.flags.bent()) put_third_edge(triangle, corners_of());
       const std::int32_t row = triangle.row - target.first_row;
-      const Columns columns = step(triangle, target.width);
+      RowColumns columns = step_row(triangle, corners_of);
+      if (triangle.flags.clipped()) {
+        columns.first = std::max<std::int32_t>(columns.first, 0);
+        columns.end = std::min(columns.end, target.width);
+      }
       if (columns.end > columns.first)
         run(triangle.depth.at(columns.first), triangle.depth.dx, surface, columns,
             static_cast<std::size_t>(row * target.width + triangle.origin + columns.first), target, fragments);
       triangle.depth.next_row();
       surface.next_row();
-      ++triangle.row;
-      --(triangle.rows_to_bend != 0 ? triangle.rows_to_bend : triangle.rows_after_bend);
     }
     return false;
   }
 
  private:
-  /// From the triangle's column of origin.
-  struct Columns {
-    std::int32_t first, end;
-  };
-
-  /// The columns of the current row, and a step of the edges to the next.
-  static Columns step(ActiveTriangle& triangle, std::int32_t width) {
-    if (triangle.flags.size() == ActiveTriangle::Size::large) {
-      const std::int32_t first = triangle.large.left.x, end = triangle.large.right.x;
-      triangle.large.left.next_row();
-      triangle.large.right.next_row();
-      return {std::max<std::int32_t>(first, 0), std::min(end, width)};
-    }
-    const int fraction_bits = triangle.flags.size() == ActiveTriangle::Size::small ? small_triangle::fraction_bits
-                                                                                   : medium_triangle::fraction_bits;
-    const Columns columns{signed_word(triangle.fixed.left >> fraction_bits),
-                          signed_word(triangle.fixed.right >> fraction_bits)};
-    triangle.fixed.next_row();
-    return columns;
-  }
-
   /// A run that begins at pixel `at` of the band with plane word `z`.
   template <class Surface>
-  static void run(std::uint32_t z, std::uint32_t dz, const Surface& surface, Columns columns, std::size_t at,
+  static void run(std::uint32_t z, std::uint32_t dz, const Surface& surface, RowColumns columns, std::size_t at,
                   const Target& target, Fragments& fragments) {
     const bool blends = surface.blends();
     const std::uint32_t count = word(columns.end - columns.first);

@@ -12,9 +12,8 @@
 
 namespace spanline {
 
-/// Where a row of a band lies in both buffers. Where their words have one size,
-/// one address and a constant distance serve for both: a register less in the
-/// loops.
+/// Where a row of a band lies in both buffers. Where their words have one size, one address and a constant distance
+/// serve for both: a register less in the loops.
 template <class Word, class Pixel>
 class RowAddress {
  public:
@@ -54,17 +53,16 @@ struct CountedSource : Source {
   }
 };
 
-/// Draws the rows of an active triangle that lie in a band, testing depth.
-/// Input: the triangle and surface on their current row. Output: pixels and
-/// depths; the triangle and surface on the row after the band if they go on.
+/// Draws the rows of an active triangle that lie in a band, testing depth. Input: the triangle and surface on
+/// their current row. Output: pixels and depths; the triangle and surface on the row after the band if they go on.
 template <class Depth, class Pixel, bool Counting, bool Bounded>
 class TriangleRows {
  public:
   using Target = BandTarget<Depth, Pixel>;
   using Run = DepthRun<Depth, Pixel>;
 
-  /// `corners_of` gives the polygon's corners, asked for only where a large
-  /// triangle meets its bend. True if the triangle goes on below the band.
+  /// `corners_of` gives the polygon's corners, asked for only where a large triangle meets its bend. True if the
+  /// triangle goes on below the band.
   template <class Surface, class CornersOf>
   static bool draw(ActiveTriangle& triangle, Surface& surface, const Target& target, CornersOf corners_of) {
     const std::int32_t before = triangle.rows_to_bend, after = triangle.rows_after_bend;
@@ -135,8 +133,8 @@ class TriangleRows {
   template <class Surface>
   using InFewRegisters = std::conditional_t<sizeof(Surface) <= sizeof(std::uint32_t), Surface, const Surface&>;
 
-  /// Draws rows of a small or medium triangle, and leaves it and its surface
-  /// where they stand. A function of its own: its loop wants every register.
+  /// Draws rows of a small or medium triangle, and leaves it and its surface where they stand. A function of its own:
+  /// its loop wants every register.
   template <int FractionBits, class Surface>
   [[gnu::noinline]] static void fixed_rows(const ActiveTriangle& triangle, InFewRegisters<Surface> kept_surface,
                                            const Target& target, std::int32_t rows, std::int32_t rows_after) {
@@ -192,8 +190,7 @@ class TriangleRows {
       Run::run(depth, pixels, pixel_count, z, dz, counted(surface.source(column), target));
   }
 
-  /// A piece of a run that bounds have not rejected; where they accept it,
-  /// nothing need be compared.
+  /// A piece of a run that bounds have not rejected; where they accept it, nothing need be compared.
   template <class Surface>
   static void draw_piece(const Surface& surface, std::int32_t column, typename Depth::Word* depth, Pixel* pixels,
                          std::uint32_t pixel_count, std::uint32_t z, std::uint32_t dz, const Target& target,
@@ -210,8 +207,7 @@ class TriangleRows {
 
 #if defined(__ARM_ARCH_6M__)
   static constexpr bool formats_in_assembly = !Counting && Depth::bits == 16 && Depth::smaller && sizeof(Pixel) == 2;
-  /// Whether triangles of a surface take the rows in assembly: one pixel value,
-  /// or a ramp's in short rows.
+  /// Whether triangles of a surface take the rows in assembly: one pixel value, or a ramp's in short rows.
   template <class Surface>
   static constexpr bool flat_in_assembly = [] {
     if constexpr (requires(const Surface& surface) { surface.source(0); })
@@ -304,7 +300,7 @@ class TriangleRows {
     auto* depth = target.depth + offset;
     auto* pixels = target.pixels + offset;
     [[maybe_unused]] std::int32_t line = triangle.row - target.first_row;
-    triangle.row = triangle.row + rows;
+    triangle.row += rows;
     for (; rows > 0; --rows, ++line) {
       std::int32_t first = left.x, end = right.x;
       if (clipped) {

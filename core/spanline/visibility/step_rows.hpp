@@ -9,11 +9,35 @@ namespace spanline {
 /// Puts the third edge of a triangle in place, at the row of its bend.
 inline void put_third_edge(ActiveTriangle& triangle, const PolygonCorners& corners) {
   triangle.flags.set_bent();
-  if (triangle.flags.size() == ActiveTriangle::Size::large) {
+  if (triangle.flags.size() == ActiveTriangle::Size::large)
     bend_large(corners, triangle);
-  } else {
+  else
     triangle.fixed.bend(triangle.flags.right_bends());
+}
+
+/// The columns of a row, counted from the triangle's column of origin; those of large triangles may leave the viewport.
+struct RowColumns {
+  std::int32_t first, end;
+};
+
+/// Steps the edges and counts of rows of a triangle to its next row, for code that has no time to save. Output: the
+/// columns of the row that it stood on. `corners_of` gives its corners where the bend is met.
+template <class CornersOf>
+RowColumns step_row(ActiveTriangle& triangle, CornersOf corners_of) {
+  if (triangle.rows_to_bend == 0 && !triangle.flags.bent()) put_third_edge(triangle, corners_of());
+  RowColumns columns;
+  if (triangle.flags.size() == ActiveTriangle::Size::large) {
+    columns = {triangle.large.left.x, triangle.large.right.x};
+    triangle.large.skip_rows(1);
+  } else {
+    const int fraction_bits = triangle.flags.size() == ActiveTriangle::Size::small ? small_triangle::fraction_bits
+                                                                                   : medium_triangle::fraction_bits;
+    columns = {signed_word(triangle.fixed.left >> fraction_bits), signed_word(triangle.fixed.right >> fraction_bits)};
+    triangle.fixed.next_row();
   }
+  ++triangle.row;
+  --(triangle.rows_to_bend != 0 ? triangle.rows_to_bend : triangle.rows_after_bend);
+  return columns;
 }
 
 /// Steps an active triangle and its surface over the rows above `end_row` (biased), to the very words that drawing them
