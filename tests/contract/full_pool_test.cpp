@@ -34,7 +34,7 @@ class FullPool : public ::testing::TestWithParam<std::uint32_t> {
   template <class F>
   void for_each_starved(int rounds, F f) {
     for (const char* name : {"mixed_soup", "penetrating", "stack", "nested", "quads_on_centres", "soup_tiny"})
-      for (int i = 0; i < test::rounds(rounds); ++i) {
+      for (int i = 0; i < rounds; ++i) {
         const int round = i + 5'000'000;
         Random random(seed_of(generator(name), round));
         const Scene scene = generator(name).make(random);
@@ -55,7 +55,7 @@ class FullPool : public ::testing::TestWithParam<std::uint32_t> {
 };
 
 TEST_P(FullPool, TheStatusNamesASizeThatIsEnough) {
-  for_each_starved(24, [&](const Scene& scene, const Drawing& got) {
+  for_each_starved(test::rounds(24), [&](const Scene& scene, const Drawing& got) {
     ASSERT_EQ(got.status.fault, Fault::pool_full);
     ASSERT_EQ(got.status.pool, Pool::active);
     ASSERT_GT(got.status.wanted, GetParam());
@@ -66,7 +66,7 @@ TEST_P(FullPool, TheStatusNamesASizeThatIsEnough) {
 }
 
 TEST_P(FullPool, ThePictureIsTheSameEveryTimeAndInBandsOfAnyHeight) {
-  for_each_starved(24, [&](const Scene& scene, const Drawing& got) {
+  for_each_starved(test::rounds(24), [&](const Scene& scene, const Drawing& got) {
     for (const int lines : {0, 1, 7}) {
       const Drawing again = draw(span_, scene, with_room(GetParam(), lines));
       ASSERT_EQ(difference(got, again), "");
@@ -76,7 +76,7 @@ TEST_P(FullPool, ThePictureIsTheSameEveryTimeAndInBandsOfAnyHeight) {
 }
 
 TEST_P(FullPool, EveryPixelIsShadedOnceByAPolygonThatCoversIt) {
-  for_each_starved(24, [&](const Scene& scene, const Drawing& got) {
+  for_each_starved(test::rounds(24), [&](const Scene& scene, const Drawing& got) {
     ASSERT_EQ(got.counters.shaded, scene.pixel_count());
     ASSERT_EQ(garbage_pixels(scene, got), 0U);
   });
@@ -106,7 +106,7 @@ TEST_P(FullPool, TheNearestPolygonsOfARowAreKept) {
 
 TEST_P(FullPool, FewPixelsAreWrong) {
   std::size_t wrong = 0, pixels = 0;
-  for_each_starved(24, [&](const Scene& scene, const Drawing& got) {
+  for_each_starved(test::sample_size(24), [&](const Scene& scene, const Drawing& got) {
     wrong += wrong_pixels(reference(scene), got);
     pixels += scene.pixel_count();
   });

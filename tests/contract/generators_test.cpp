@@ -15,7 +15,7 @@ class Generators : public ::testing::TestWithParam<Generator> {};
 
 TEST_P(Generators, MakeScenesThatShowPolygonsAndTheSameOnesAgain) {
   int shown = 0;
-  const int count = test::rounds(24);
+  const int count = test::sample_size(24);
   for (int round = 0; round < count; ++round) {
     Random random(seed_of(GetParam(), round)), again(seed_of(GetParam(), round));
     const Drawing drawing = reference(GetParam().make(random));
@@ -36,7 +36,7 @@ INSTANTIATE_TEST_SUITE_P(OfMeshes, Generators, ::testing::ValuesIn(mesh_generato
 TEST(NestedGenerator, MakesPolygonsSleep) {
   std::uint64_t sleeps = 0;
   int with_sleep = 0;
-  const int count = test::rounds(80);
+  const int count = test::sample_size(80);
   for (int round = 0; round < count; ++round) {
     Random random(seed_of(generator("nested"), round));
     const std::uint64_t here = draw(algorithm("span"), nested_polygons(random), {}).counters.sleeps;

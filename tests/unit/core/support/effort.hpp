@@ -4,14 +4,19 @@
 
 namespace spanline::test {
 
-/// How often a random test repeats: as asked in a plain build, an eighth of it under sanitizers, and ten times as often
-/// where the environment's SPANLINE_TEST_LENGTH is "long". At least once.
+/// The size of a random sample of whose mean something is expected: as asked in every build, since a part of it has
+/// another mean, and ten times that where the environment's SPANLINE_TEST_LENGTH is "long".
+[[nodiscard]] inline int sample_size(int wanted) {
+  const char* length = std::getenv("SPANLINE_TEST_LENGTH");
+  return length != nullptr && std::string_view(length) == "long" ? wanted * 10 : wanted;
+}
+
+/// How often a random test repeats: as a sample, but an eighth of it under sanitizers. At least once.
 [[nodiscard]] inline int rounds(int wanted) {
 #if defined(__SANITIZE_ADDRESS__)
   wanted = wanted < 8 ? 1 : wanted / 8;
 #endif
-  const char* length = std::getenv("SPANLINE_TEST_LENGTH");
-  return length != nullptr && std::string_view(length) == "long" ? wanted * 10 : wanted;
+  return sample_size(wanted);
 }
 
 /// A step over a range that is walked whole in a plain build, and thinly under sanitizers.

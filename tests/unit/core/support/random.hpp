@@ -12,7 +12,9 @@ class Random {
   /// A whole number in [low, high].
   [[nodiscard]] int between(int low, int high) { return static_cast<int>(wide(low, high)); }
   [[nodiscard]] std::int64_t wide(std::int64_t low, std::int64_t high) {
-    return low + static_cast<std::int64_t>(engine_() % (static_cast<std::uint64_t>(high - low) + 1));
+    // Modulo 2^64, where the distance of the two has room.
+    const auto from = static_cast<std::uint64_t>(low), distance = static_cast<std::uint64_t>(high) - from;
+    return static_cast<std::int64_t>(from + engine_() % (distance + 1));
   }
   [[nodiscard]] bool chance(int of) { return between(1, of) == 1; }
   /// A real number in [low, high).
