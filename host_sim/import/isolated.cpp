@@ -22,7 +22,7 @@ namespace spanline::sim {
 namespace {
 
 constexpr rlim_t seconds_limit = 600;
-constexpr rlim_t memory_limit = rlim_t{16} << 30;
+[[maybe_unused]] constexpr rlim_t memory_limit = rlim_t{16} << 30;
 
 /// The first byte that the child sends.
 constexpr std::byte tag_result{'R'};
@@ -38,7 +38,7 @@ void confine() {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, seconds_limit);
-#if !defined(__SANITIZE_ADDRESS__)
+#if !defined(SPANLINE_SANITIZERS)
   // AddressSanitizer reserves terabytes of address space that it never touches.
   limit(RLIMIT_AS, memory_limit);
 #endif

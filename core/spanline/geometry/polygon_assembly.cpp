@@ -21,7 +21,7 @@ inline Wide signed_area(const ScreenVertex& a, const ScreenVertex& b, const Scre
 }
 
 /// A vertex's position in one word: x in the low half, y in the high one.
-inline std::uint32_t position(const ScreenVertex& v) {
+[[maybe_unused]] inline std::uint32_t position(const ScreenVertex& v) {
   static_assert(std::endian::native == std::endian::little && offsetof(ScreenVertex, y) == 2);
   using Word [[gnu::may_alias]] = const std::uint32_t;
   return *reinterpret_cast<Word*>(&v);

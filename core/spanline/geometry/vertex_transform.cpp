@@ -14,7 +14,7 @@ constexpr int position_bits = 30;     // of focal · x
 constexpr int dropped_bits = 15;      // of a position before it meets the reciprocal
 constexpr std::int64_t half_of_dropped = 1 << (dropped_bits - 1);
 constexpr int low_bits = 14;  // fraction of a distance's matrix entries
-constexpr std::int32_t low_mask = (1 << low_bits) - 1;
+[[maybe_unused]] constexpr std::int32_t low_mask = (1 << low_bits) - 1;
 
 int bit_count(std::int64_t value) { return 64 - leading_zeros_64(static_cast<std::uint64_t>(value) | 1); }
 

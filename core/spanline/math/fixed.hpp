@@ -90,7 +90,7 @@ namespace detail {
 /// Declared and never defined: a call cannot be constant, so a literal with a foreign character does not compile.
 void literal_is_not_a_decimal_number();
 
-/// Reads decimal digits "12.375" into a Fixed; anything else does not compile (the function is consteval-called).
+/// Reads decimal digits "12.375" into a Fixed; anything else does not compile.
 template <class Format>
 constexpr Format parse_decimal(const char* text) {
   std::int64_t whole = 0;
@@ -116,15 +116,32 @@ constexpr Format parse_decimal(const char* text) {
   const auto scale = std::int64_t{1} << Format::fraction_bits;
   return Format::from_raw(static_cast<Rep>(whole * scale + (numerator * scale * 2 + denominator) / (denominator * 2)));
 }
+
+/// The value of a literal, a constant wherever it stands. (clang 14 calls a consteval operator from a template at run
+/// time.)
+template <class Format, char... Digits>
+inline constexpr Format literal = [] {
+  constexpr char text[] = {Digits..., '\0'};
+  return parse_decimal<Format>(text);
+}();
 }  // namespace detail
 
 inline namespace literals {
 /// `1.5_q16`: a Q16.16 constant, read from its decimal digits at compile time.
-consteval Q16_16 operator""_q16(const char* digits) { return detail::parse_decimal<Q16_16>(digits); }
+template <char... Digits>
+constexpr Q16_16 operator""_q16() {
+  return detail::literal<Q16_16, Digits...>;
+}
 /// `0.75_q24`: a Q8.24 constant, as scales are.
-consteval Fixed<24> operator""_q24(const char* digits) { return detail::parse_decimal<Fixed<24>>(digits); }
+template <char... Digits>
+constexpr Fixed<24> operator""_q24() {
+  return detail::literal<Fixed<24>, Digits...>;
+}
 /// `0.7071_q30`: a Q2.30 constant.
-consteval Q2_30 operator""_q30(const char* digits) { return detail::parse_decimal<Q2_30>(digits); }
+template <char... Digits>
+constexpr Q2_30 operator""_q30() {
+  return detail::literal<Q2_30, Digits...>;
+}
 }  // namespace literals
 
 }  // namespace spanline

@@ -42,15 +42,15 @@ struct ShaderList {
     }
   };
 
-  /// A whole run of visible pixels, for algorithms that know spans: `count` pixels of a surface from `column` on, or of
-  /// one value.
+  /// A whole run of visible pixels, for algorithms that know spans: `length` pixels of a surface from `column` on, or
+  /// of one value.
   template <class S, class Pixel>
-  static void fill(const S& surface, std::int32_t column, std::uint32_t count, Pixel* pixels) {
-    fill_run(surface, column, count, pixels);
+  static void fill(const S& surface, std::int32_t column, std::uint32_t length, Pixel* pixels) {
+    fill_run(surface, column, length, pixels);
   }
   template <class Pixel>
-  [[gnu::noinline]] static void fill_apart(Pixel value, std::uint32_t count, Pixel* pixels) {
-    fill_constant(value, count, pixels);
+  [[gnu::noinline]] static void fill_apart(Pixel value, std::uint32_t length, Pixel* pixels) {
+    fill_constant(value, length, pixels);
   }
 
   /// Place of a shader in the list; `count` if it is not there.

@@ -136,7 +136,7 @@ Real instance_extent(const RandomInstance& r, const RealPoint& view) {
   const auto steps = [](std::int32_t v) { return std::fabs(static_cast<Real>(v)); };
   const Real own = std::max({static_cast<Real>(r.owned.bounds.radius), steps(r.owned.offset.x), steps(r.owned.offset.y),
                              steps(r.owned.offset.z)}) *
-                   r.step_size();
+                   static_cast<Real>(r.step_size());
   return std::max({own, std::fabs(view.x), std::fabs(view.y), std::fabs(view.z)});
 }
 

@@ -29,8 +29,10 @@ TEST(Vectors, NormalisedComponentsAreWithin2ToTheMinus28AtAnyScale) {
                       z = static_cast<long double>(v[2]);
     const long double length = std::sqrt(x * x + y * y + z * z);
     const Direction d = normalise(v[0], v[1], v[2]);
-    const double error = static_cast<double>(std::max(
-        {std::fabs(value(d.x) - x / length), std::fabs(value(d.y) - y / length), std::fabs(value(d.z) - z / length)}));
+    const auto off = [length](Q2_30 got, long double wanted) {
+      return static_cast<double>(std::fabs(static_cast<long double>(value(got)) - wanted / length));
+    };
+    const double error = std::max({off(d.x, x), off(d.y, y), off(d.z, z)});
     ASSERT_LE(error, 0x1p-28) << v[0] << ", " << v[1] << ", " << v[2];
     worst = std::max(worst, error);
   }

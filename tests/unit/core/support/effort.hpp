@@ -13,7 +13,7 @@ namespace spanline::test {
 
 /// How often a random test repeats: as a sample, but an eighth of it under sanitizers. At least once.
 [[nodiscard]] inline int rounds(int wanted) {
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(SPANLINE_SANITIZERS)
   wanted = wanted < 8 ? 1 : wanted / 8;
 #endif
   return sample_size(wanted);
@@ -21,7 +21,7 @@ namespace spanline::test {
 
 /// A step over a range that is walked whole in a plain build, and thinly under sanitizers.
 [[nodiscard]] inline unsigned stride([[maybe_unused]] unsigned under_sanitizers) {
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(SPANLINE_SANITIZERS)
   return under_sanitizers;
 #else
   return 1;
