@@ -52,10 +52,9 @@ struct Drawn {
 
 Drawn draw(const SelftestScene& scene, const SelftestRun& run) {
   Drawn drawn{sim::Picture(scene.capacity.width, scene.capacity.height), {}};
-  const auto result = draw_on_host(scene, run, [&](const auto& band) {
-    auto pixel = drawn.picture.pixels.begin() + std::ptrdiff_t{band.y0} * drawn.picture.width;
-    for (const auto stored : band.pixels) *pixel++ = widened(stored);
-  });
+  const HostPicture on_host = draw_on_host(scene, run);
+  const scenes::SelftestResult& result = on_host.result;
+  std::transform(on_host.pixels.begin(), on_host.pixels.end(), drawn.picture.pixels.begin(), widened);
   EXPECT_TRUE(as_expected(scene, result.status)) << scene.name;
   drawn.crcs = {result.crc, result.depth};
   return drawn;

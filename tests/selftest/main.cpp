@@ -1,10 +1,12 @@
 // What the firmware's self-test must print, drawn on this host: the lines of a board with so many bytes to spare, or of
 // all scenes. With a folder, also a PNG of each scene.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -20,33 +22,23 @@ struct Options {
   std::string pictures;
 };
 
-/// The picture of one run, put together from its bands.
-class Collector {
- public:
-  Collector(const scenes::SelftestScene& scene, const scenes::SelftestRun& run)
-      : swapped_(run.renderer == scenes::SelftestRenderer::swapped_16),
-        picture_(scene.capacity.width, scene.capacity.height) {}
+Rgb888 rgb888(std::uint16_t stored, bool swapped) {
+  const unsigned raw = stored;
+  const unsigned word = swapped ? (raw << 8 | raw >> 8) & 0xffffU : raw;
+  const auto widened = [](unsigned value, unsigned greatest) {
+    return static_cast<std::uint8_t>((value * 255 + greatest / 2) / greatest);
+  };
+  return {widened(word >> 11, 31), widened(word >> 5 & 63, 63), widened(word & 31, 31)};
+}
 
-  template <class BandView>
-  void operator()(const BandView& band) {
-    auto pixel = picture_.pixels.begin() + std::ptrdiff_t{band.y0} * picture_.width;
-    for (const std::uint16_t stored : band.pixels) *pixel++ = rgb888(stored);
-  }
-  [[nodiscard]] const sim::Picture& picture() const { return picture_; }
-
- private:
-  [[nodiscard]] Rgb888 rgb888(std::uint16_t stored) const {
-    const unsigned raw = stored;
-    const unsigned word = swapped_ ? (raw << 8 | raw >> 8) & 0xffffU : raw;
-    const auto widened = [](unsigned value, unsigned greatest) {
-      return static_cast<std::uint8_t>((value * 255 + greatest / 2) / greatest);
-    };
-    return {widened(word >> 11, 31), widened(word >> 5 & 63, 63), widened(word & 31, 31)};
-  }
-
-  bool swapped_;
-  sim::Picture picture_;
-};
+sim::Picture picture_of(const scenes::SelftestScene& scene, const scenes::SelftestRun& run,
+                        const test::HostPicture& drawn) {
+  sim::Picture picture(scene.capacity.width, scene.capacity.height);
+  const bool swapped = run.renderer == scenes::SelftestRenderer::swapped_16;
+  std::transform(drawn.pixels.begin(), drawn.pixels.end(), picture.pixels.begin(),
+                 [swapped](std::uint16_t stored) { return rgb888(stored, swapped); });
+  return picture;
+}
 
 void write(const std::string& path, const sim::Picture& picture) {
   const std::vector<std::byte> png = sim::encode_png(picture);
@@ -74,14 +66,14 @@ void run(const Options& options) {
   if (!options.pictures.empty()) std::filesystem::create_directories(options.pictures);
   scenes::for_each_selftest_run(options.memory,
                                 [&](const scenes::SelftestScene& scene, const scenes::SelftestRun& run) {
-                                  Collector collector(scene, run);
-                                  const scenes::SelftestResult result = test::draw_on_host(scene, run, collector);
+                                  const test::HostPicture drawn = test::draw_on_host(scene, run);
+                                  const scenes::SelftestResult& result = drawn.result;
                                   std::printf("selftest %s %s %s %u %08x %08x\n", scene.name, visibility_of(scene, run),
                                               to_string(run.renderer), unsigned{run.band}, result.crc, result.depth);
                                   if (!as_expected(scene, result.status))
                                     throw std::runtime_error(std::string(scene.name) + ": a pool is wrong");
                                   if (!options.pictures.empty() && &run == scene.runs.data())
-                                    write(options.pictures + "/" + scene.name + ".png", collector.picture());
+                                    write(options.pictures + "/" + scene.name + ".png", picture_of(scene, run, drawn));
                                 });
 }
 

@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
-#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "host_run.hpp"
 #include "spanline/model/validate.hpp"
@@ -24,13 +26,10 @@ bool has_24_bits(SelftestRenderer renderer) {
   return renderer == SelftestRenderer::full_24 || renderer == SelftestRenderer::full_24_larger ||
          renderer == SelftestRenderer::layers_24 || scenes::is_spanning(renderer);
 }
-bool larger_is_nearer(SelftestRenderer renderer) {
-  return renderer == SelftestRenderer::flat_16_larger || renderer == SelftestRenderer::full_24_larger;
-}
 
 TEST(SelftestScenes, MeshesAreValid) {
   for (const Mesh* mesh : {&scenes::torus, &scenes::coloured_torus, &scenes::prisms, &scenes::terrain,
-                           &test::selftest_models.bunny, &test::selftest_models.teapot}) {
+                           &test::selftest_models().bunny, &test::selftest_models().teapot}) {
     const MeshReport report = validate(*mesh);
     EXPECT_TRUE(report.ok()) << to_string(report.fault) << " at " << report.at;
   }
@@ -46,7 +45,7 @@ TEST(SelftestScenes, NamesAreDistinct) {
 TEST(SelftestScenes, EveryRunOfASceneDrawsTheSamePicture) {
   scenes::for_each_selftest_run(all_memory, [](const SelftestScene& scene, const SelftestRun& run) {
     static std::map<std::pair<std::string, bool>, std::uint32_t> pictures;
-    const scenes::SelftestResult result = test::draw_on_host(scene, run, [](const auto&) {});
+    const scenes::SelftestResult result = test::draw_on_host(scene, run).result;
     EXPECT_TRUE(as_expected(scene, result.status))
         << scene.name << ": " << to_string(result.status.fault) << ", " << to_string(result.status.pool) << ", wanted "
         << result.status.wanted;
@@ -60,16 +59,9 @@ TEST(SelftestScenes, EveryRunOfASceneDrawsTheSamePicture) {
 
 /// The share of a picture that is covered, in percent.
 int covered_percent(const SelftestScene& scene, const SelftestRun& run) {
-  std::size_t covered = 0, all = 0;
-  (void)test::draw_on_host(scene, run, [&](const auto& band) {
-    const bool larger = larger_is_nearer(run.renderer);
-    for (const auto depth : band.depth) {
-      const auto empty = larger ? 0U : std::numeric_limits<std::remove_const_t<decltype(depth)>>::max();
-      if (depth != empty) ++covered;
-    }
-    all += band.depth.size();
-  });
-  return static_cast<int>(100 * covered / all);
+  const std::vector<bool> covered = test::draw_on_host(scene, run).covered;
+  return static_cast<int>(100 * std::count(covered.begin(), covered.end(), true) /
+                          static_cast<std::ptrdiff_t>(covered.size()));
 }
 
 TEST(SelftestScenes, NoPictureIsEmpty) {
@@ -83,10 +75,9 @@ TEST(SelftestScenes, NoSmoothSurfaceIsDarkerThanAmbientLight) {
   scenes::for_each_selftest_run(all_memory, [&](const SelftestScene& scene, const SelftestRun& run) {
     if (!smooth.contains(scene.name) || run.renderer != SelftestRenderer::full_16) return;
     int wrapped = 0;
-    (void)test::draw_on_host(scene, run, [&](const auto& band) {
-      for (std::size_t i = 0; i < band.pixels.size(); ++i)
-        wrapped += band.depth[i] != FullTraits<>::Depth::clear && band.pixels[i] >> 11 < 2 ? 1 : 0;
-    });
+    const test::HostPicture drawn = test::draw_on_host(scene, run);
+    for (std::size_t i = 0; i < drawn.pixels.size(); ++i)
+      wrapped += drawn.covered[i] && drawn.pixels[i] >> 11 < 2 ? 1 : 0;
     EXPECT_EQ(wrapped, 0) << scene.name << ", band " << run.band;
   });
 }
@@ -97,7 +88,7 @@ TEST(SelftestScenes, SmallestBoardDrawsAtLeast200PolygonsInBands) {
   scenes::for_each_selftest_run(13'056, [&](const SelftestScene& scene, const SelftestRun& run) {
     const bool meant = scene.starved == Pool::none && scene.soup_triangles == 0 && run.band < scene.capacity.height;
     if (!meant || scene.capacity.width != 128 || scene.capacity.height != 128) return;
-    most = std::max(most, test::draw_on_host(scene, run, [](const auto&) {}).drawn);
+    most = std::max(most, test::draw_on_host(scene, run).result.drawn);
   });
   EXPECT_GE(most, 200U);
 }

@@ -24,7 +24,7 @@ TEST_F(RefusalTest, BrokenModels) {
       {"words.obj", replaced(obj, "v 1 0 0", "v one 0 0")},
       {"short-vertex.obj", replaced(obj, "v 1 0 0", "v 1 0")},
       {"cut.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2"},
-      {"garbage.obj", std::string("\x7f\x45\x4c\x46\0\1\2\3", 8) + " garbage that is not a model"},
+      {"garbage.obj", std::string("\x7f\x45\x4c\x46\0\1\2\3 garbage that is not a model", 36)},
       {"garbage.ply", "this is not a model at all"},
       {"garbage.stl", std::string(200, '\xee')},
       {"garbage.glb", std::string(200, '\xee')},

@@ -1,0 +1,52 @@
+#include "host_run.hpp"
+
+#include <bunny.hpp>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <teapot.hpp>
+
+namespace spanline::test {
+namespace {
+
+using scenes::SelftestRenderer;
+
+bool larger_is_nearer(SelftestRenderer renderer) {
+  return renderer == SelftestRenderer::flat_16_larger || renderer == SelftestRenderer::full_24_larger;
+}
+
+/// Gathers the bands of a picture, which come from the top down.
+struct Collector {
+  HostPicture& picture;
+  bool larger_is_nearer;
+
+  template <class Word>
+  [[nodiscard]] bool is_covered(Word depth) const {
+    return depth != (larger_is_nearer ? Word{0} : std::numeric_limits<Word>::max());
+  }
+  template <class Band>
+  void operator()(const Band& band) {
+    picture.pixels.insert(picture.pixels.end(), band.pixels.begin(), band.pixels.end());
+    for (const auto depth : band.depth) picture.covered.push_back(is_covered(depth));
+  }
+};
+
+}  // namespace
+
+const scenes::SelftestModels& selftest_models() {
+  static constexpr scenes::SelftestModels models{spanline_models::bunny, spanline_models::teapot};
+  return models;
+}
+
+HostPicture draw_on_host(const scenes::SelftestScene& scene, const scenes::SelftestRun& run) {
+  static_assert(alignof(std::uint64_t) >= Arena::alignment);
+  std::vector<std::uint64_t> words(selftest_bytes(scene, run) / sizeof(std::uint64_t) + 1);
+  const std::span<std::byte> memory = std::as_writable_bytes(std::span(words));
+  HostPicture picture;
+  Collector collector{picture, larger_is_nearer(run.renderer)};
+  constexpr std::uint32_t any_memory = std::numeric_limits<std::uint32_t>::max();
+  picture.result = scenes::draw_selftest<any_memory>(scene, run, selftest_models(), memory, collector);
+  return picture;
+}
+
+}  // namespace spanline::test
