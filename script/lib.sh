@@ -85,7 +85,7 @@ fetch_emulator() {
 
 # The command, at build/spanline.
 build_host() {
-  build_preset host-release
+  build_preset host-release "-DSPANLINE_UNIT_TESTS=${SPANLINE_UNIT_TESTS:-OFF}"
   ln -sfn host-release/host_sim/spanline build/spanline
 }
 
