@@ -21,7 +21,8 @@ const std::vector<Generator>& screen_generators() {
                            {"cyclic_bars", cyclic_bars, 200},
                            {"depth_layers", depth_layers, 200},
                            {"stack", stack, 80},
-                           {"nested", nested_polygons, 1000}});
+                           {"nested", nested_polygons, 1000},
+                           {"shared_corners", shared_corners, 400}});
     return all;
   }();
   return list;

@@ -48,6 +48,7 @@ inline std::ostream& operator<<(std::ostream& out, const Generator& generator) {
 [[nodiscard]] Scene stack(Random& random);
 
 [[nodiscard]] Scene nested_polygons(Random& random);
+[[nodiscard]] Scene shared_corners(Random& random);
 
 [[nodiscard]] Scene bunny(Random& random);
 [[nodiscard]] Scene teapot(Random& random);

@@ -117,4 +117,42 @@ Scene nested_polygons(Random& random) {
   return scene;
 }
 
+/// Pairs with level upper edges on pixel centres and one upper corner in common, the farther within the nearer on that
+/// row: edges that are at one place there and go on alike or apart, by whole pixels a row as well.
+Scene shared_corners(Random& random) {
+  Scene scene = sized(random);
+  const int right = 16 * scene.width, bottom = 16 * scene.height;
+  const int pairs = random.between(1, 8);
+  for (int i = 0; i < pairs; ++i) {
+    const int y = 16 * random.between(-2, scene.height / 2) + 8, x0 = random.between(-200, right - 64),
+              x1 = random.between(x0 + 64, right + 400),
+              tall = random.between(16 * 16, random.chance(2) ? bottom : 8000);
+    const int apex = random.between(0, 2 * right) - right / 2, depth = random.between(1 << 12, 1 << 22);
+    scene.triangles.push_back(
+        {corner_near(x0, y, depth), corner_near(x1, y, depth), corner_near(apex, y + tall, depth)});
+    const bool left = random.chance(2);
+    const int inner = random.between(x0 + 16, x1 - 16);
+    int low = apex, high = tall;
+    switch (random.between(0, 3)) {
+      case 0:  // as many sixteenths a row more or less
+        low += tall * random.between(-2, 2);
+        break;
+      case 1:  // nearly alike
+        low += random.between(-20, 20);
+        break;
+      case 2:  // another height at the same slope, or nearly
+        high = random.between(tall / 2, tall * 2);
+        low = (left ? x0 : x1) + (apex - (left ? x0 : x1)) * high / tall + random.between(-1, 1);
+        break;
+      default:
+        low = random.between(0, 2 * right) - right / 2;
+    }
+    const std::int64_t farther = depth + random.between(1, 1 << 20);
+    scene.triangles.push_back({corner_near(left ? x0 : inner, y, farther), corner_near(left ? inner : x1, y, farther),
+                               corner_near(low, y + high, farther)});
+  }
+  if (random.chance(2)) shuffle(random, scene.triangles);
+  return scene;
+}
+
 }  // namespace spanline::contract

@@ -12,9 +12,9 @@ namespace {
 
 int write_corpus(const std::string& folder) {
   using namespace contract;
-  const std::function<Scene(Random&)> makers[] = {mixed_soup,   penetrating_soup, extreme_depths,
-                                                  shared_grids, coplanar_ties,    quads_on_centres,
-                                                  cyclic_bars,  depth_layers,     nested_polygons};
+  const std::function<Scene(Random&)> makers[] = {mixed_soup,      penetrating_soup, extreme_depths, shared_grids,
+                                                  coplanar_ties,   quads_on_centres, cyclic_bars,    depth_layers,
+                                                  nested_polygons, shared_corners};
   constexpr std::size_t seeds_a_maker = 4, most = 60;  // triangles: small inputs change faster
   int number = 0;
   for (const auto& make : makers)
