@@ -43,21 +43,26 @@ void measure(const char* scene, const Capacity& capacity, unsigned band, Submit 
         frame.peak_bytes);
 }
 
+/// Triangles on screen, which `make` puts into its table.
+template <class Traits, class Make>
+void soup(const char* name, const Capacity& capacity, unsigned band, const Material& material, Make make) {
+  const std::uint32_t triangles = capacity.polygons;
+  const scenes::ScreenSoup target{std::span(soup_vertices).first(3 * triangles),
+                                  std::span(soup_colours).first(triangles)};
+  make(target);
+  measure<Traits>(name, capacity, band, [&](auto& renderer) {
+    FrameSettings settings;
+    settings.cull = Cull::none;
+    (void)renderer.begin(settings);
+    if (!renderer.add_screen(target.vertices, target.colours, material).ok()) board::write("bench: a pool is full\n");
+  });
+}
+
 template <class Depth, class Visibility>
 void soups(unsigned band) {
   using Traits = FlatTraits<Rgb565, Depth, false, Visibility>;
   const auto soup = [&](const char* name, std::uint32_t triangles, auto make) {
-    const scenes::ScreenSoup target{std::span(soup_vertices).first(3 * triangles),
-                                    std::span(soup_colours).first(triangles)};
-    make(target);
-    measure<Traits>(name, {.polygons = triangles, .active = std::min<std::uint32_t>(triangles, 600)}, band,
-                    [&](auto& renderer) {
-                      FrameSettings settings;
-                      settings.cull = Cull::none;
-                      (void)renderer.begin(settings);
-                      if (!renderer.add_screen(target.vertices, target.colours).ok())
-                        board::write("bench: a pool is full\n");
-                    });
+    ::soup<Traits>(name, {.polygons = triangles, .active = std::min<std::uint32_t>(triangles, 600)}, band, {}, make);
   };
   const auto right_triangles = [](std::uint32_t leg, std::uint32_t count) {
     return [=](scenes::ScreenSoup target) { scenes::make_right_triangles(leg, count, Depth::bits, target); };
@@ -67,6 +72,16 @@ void soups(unsigned band) {
   soup("S3", 100, right_triangles(128, 100));
   soup("S7B", 40, [](scenes::ScreenSoup target) { scenes::make_full_screen_quads(true, Depth::bits, target); });
   soup("S7F", 40, [](scenes::ScreenSoup target) { scenes::make_full_screen_quads(false, Depth::bits, target); });
+}
+
+/// S7 with α = ½: twenty layers over the background.
+void layers(unsigned band) {
+  using Shaders = ShaderList<FlatShader<Rgb565>, SeeThroughShader<Rgb565, FlatShader<Rgb565>>>;
+  using Traits = RendererTraits<Depth24<>, Rgb565, Shaders, false, Spanning>;
+  Material glass;
+  glass.opacity = 128;
+  soup<Traits>("S7A", {.polygons = 40, .active = 40, .layers = 40}, band, glass,
+               [](scenes::ScreenSoup target) { scenes::make_full_screen_quads(true, 24, target); });
 }
 
 template <class Traits>
@@ -108,5 +123,6 @@ int main() {
   all<Depth24<>>(0);
   all<Depth24<>, Spanning>(1);
   all<Depth24<>, Spanning>(16);
+  layers(16);
   return 0;
 }

@@ -37,6 +37,8 @@ concept VisibilityAlgorithm = requires(A algorithm, const A& view, typename A::M
   { A::bucket_lines(capacity) } -> std::convertible_to<std::uint32_t>;
   memory.take(arena, capacity);
   { A::Memory::bytes(std::size_t{1}) } -> std::same_as<std::size_t>;
+  { A::Memory::layer_bytes(std::size_t{1}) } -> std::same_as<std::size_t>;
+  A();
   A(memory);
   algorithm.begin_frame();
   algorithm.clear(target, [](auto /*value*/, std::uint32_t /*count*/, auto* /*words*/) {});
