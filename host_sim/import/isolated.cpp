@@ -22,7 +22,6 @@ namespace spanline::sim {
 namespace {
 
 constexpr rlim_t seconds_limit = 600;
-[[maybe_unused]] constexpr rlim_t memory_limit = rlim_t{16} << 30;
 
 /// The first byte that the child sends.
 constexpr std::byte tag_result{'R'};
@@ -40,7 +39,7 @@ void confine() {
   limit(RLIMIT_CPU, seconds_limit);
 #if !defined(SPANLINE_SANITIZERS)
   // AddressSanitizer reserves terabytes of address space that it never touches.
-  limit(RLIMIT_AS, memory_limit);
+  limit(RLIMIT_AS, rlim_t{16} << 30);
 #endif
   // What a library prints would break the promise of one line.
   const int nowhere = open("/dev/null", O_RDWR);

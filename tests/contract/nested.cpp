@@ -131,7 +131,7 @@ Scene shared_corners(Random& random) {
     scene.triangles.push_back(
         {corner_near(x0, y, depth), corner_near(x1, y, depth), corner_near(apex, y + tall, depth)});
     const bool left = random.chance(2);
-    const int inner = random.between(x0 + 16, x1 - 16);
+    const int shared = left ? x0 : x1, inner = random.between(x0 + 16, x1 - 16);
     int low = apex, high = tall;
     switch (random.between(0, 3)) {
       case 0:  // as many sixteenths a row more or less
@@ -142,14 +142,14 @@ Scene shared_corners(Random& random) {
         break;
       case 2:  // another height at the same slope, or nearly
         high = random.between(tall / 2, tall * 2);
-        low = (left ? x0 : x1) + (apex - (left ? x0 : x1)) * high / tall + random.between(-1, 1);
+        low = shared + (apex - shared) * high / tall + random.between(-1, 1);
         break;
       default:
         low = random.between(0, 2 * right) - right / 2;
     }
     const std::int64_t farther = depth + random.between(1, 1 << 20);
-    scene.triangles.push_back({corner_near(left ? x0 : inner, y, farther), corner_near(left ? inner : x1, y, farther),
-                               corner_near(low, y + high, farther)});
+    scene.triangles.push_back({corner_near(left ? shared : inner, y, farther),
+                               corner_near(left ? inner : shared, y, farther), corner_near(low, y + high, farther)});
   }
   if (random.chance(2)) shuffle(random, scene.triangles);
   return scene;

@@ -19,13 +19,6 @@ using scenes::SelftestScene;
 
 constexpr std::uint32_t all_memory = std::numeric_limits<std::uint32_t>::max();
 
-Rgb888 widened(std::uint16_t pixel) {
-  const auto channel = [](unsigned value, unsigned greatest) {
-    return static_cast<std::uint8_t>((value * 255 + greatest / 2) / greatest);
-  };
-  return {channel(pixel >> 11, 31), channel(pixel >> 5 & 63U, 63), channel(pixel & 31U, 31)};
-}
-
 /// The bits of depth of runs that share a golden picture: plain pixels and smaller depths; 0 for others, which the
 /// self-test compares with these.
 int golden_bits(SelftestRenderer renderer) {
@@ -54,7 +47,7 @@ Drawn draw(const SelftestScene& scene, const SelftestRun& run) {
   Drawn drawn{sim::Picture(scene.capacity.width, scene.capacity.height), {}};
   const HostPicture on_host = draw_on_host(scene, run);
   const scenes::SelftestResult& result = on_host.result;
-  std::transform(on_host.pixels.begin(), on_host.pixels.end(), drawn.picture.pixels.begin(), widened);
+  drawn.picture.pixels = colours_of(on_host, run);
   EXPECT_TRUE(as_expected(scene, result.status)) << scene.name;
   drawn.crcs = {result.crc, result.depth};
   return drawn;

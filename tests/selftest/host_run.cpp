@@ -31,6 +31,15 @@ struct Collector {
   }
 };
 
+unsigned swapped_bytes(unsigned half_word) { return (half_word << 8 | half_word >> 8) & 0xffffU; }
+
+Rgb888 rgb888(unsigned rgb565) {
+  const auto channel = [](unsigned value, unsigned greatest) {
+    return static_cast<std::uint8_t>((value * 255 + greatest / 2) / greatest);
+  };
+  return {channel(rgb565 >> 11, 31), channel(rgb565 >> 5 & 63, 63), channel(rgb565 & 31, 31)};
+}
+
 }  // namespace
 
 const scenes::SelftestModels& selftest_models() {
@@ -47,6 +56,14 @@ HostPicture draw_on_host(const scenes::SelftestScene& scene, const scenes::Selft
   constexpr std::uint32_t any_memory = std::numeric_limits<std::uint32_t>::max();
   picture.result = scenes::draw_selftest<any_memory>(scene, run, selftest_models(), memory, collector);
   return picture;
+}
+
+std::vector<Rgb888> colours_of(const HostPicture& picture, const scenes::SelftestRun& run) {
+  const bool swapped = run.renderer == SelftestRenderer::swapped_16;
+  std::vector<Rgb888> colours;
+  colours.reserve(picture.pixels.size());
+  for (const unsigned stored : picture.pixels) colours.push_back(rgb888(swapped ? swapped_bytes(stored) : stored));
+  return colours;
 }
 
 }  // namespace spanline::test

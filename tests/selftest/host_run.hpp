@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "scenes/selftest_runner.hpp"
+#include "spanline/model/colour.hpp"
 
 namespace spanline::test {
 
@@ -17,5 +18,8 @@ struct HostPicture {
 };
 /// Compiled once for all programs that want it: it holds every renderer of the table.
 [[nodiscard]] HostPicture draw_on_host(const scenes::SelftestScene& scene, const scenes::SelftestRun& run);
+
+/// Its pixels for a picture file, row by row, channels rounded to the nearest of 255ths.
+[[nodiscard]] std::vector<Rgb888> colours_of(const HostPicture& picture, const scenes::SelftestRun& run);
 
 }  // namespace spanline::test

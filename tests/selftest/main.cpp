@@ -1,6 +1,5 @@
 // What the firmware's self-test must print, drawn on this host: the lines of a board with so many bytes to spare, or of
 // all scenes. With a folder, also a PNG of each scene.
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -22,21 +21,10 @@ struct Options {
   std::string pictures;
 };
 
-Rgb888 rgb888(std::uint16_t stored, bool swapped) {
-  const unsigned raw = stored;
-  const unsigned word = swapped ? (raw << 8 | raw >> 8) & 0xffffU : raw;
-  const auto widened = [](unsigned value, unsigned greatest) {
-    return static_cast<std::uint8_t>((value * 255 + greatest / 2) / greatest);
-  };
-  return {widened(word >> 11, 31), widened(word >> 5 & 63, 63), widened(word & 31, 31)};
-}
-
 sim::Picture picture_of(const scenes::SelftestScene& scene, const scenes::SelftestRun& run,
                         const test::HostPicture& drawn) {
   sim::Picture picture(scene.capacity.width, scene.capacity.height);
-  const bool swapped = run.renderer == scenes::SelftestRenderer::swapped_16;
-  std::transform(drawn.pixels.begin(), drawn.pixels.end(), picture.pixels.begin(),
-                 [swapped](std::uint16_t stored) { return rgb888(stored, swapped); });
+  picture.pixels = test::colours_of(drawn, run);
   return picture;
 }
 

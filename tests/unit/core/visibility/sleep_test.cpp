@@ -35,6 +35,10 @@ std::uint32_t any_step(Random& random, int bits) {
   return static_cast<std::uint32_t>(random.between(-3, 3)) << (bits - 2);
 }
 
+FixedEdges any_fixed_edges(Random& random, int bits) {
+  return {any_column(random, bits), any_column(random, bits), any_step(random, bits), any_step(random, bits), 0, 0};
+}
+
 /// Gives one part of the record another value. The kind of edge changes with the edges, or without them where both are
 /// fixed.
 void change(Random& random, AwakePolygon& polygon) {
@@ -54,12 +58,7 @@ void change(Random& random, AwakePolygon& polygon) {
       if (polygon.fraction_bits == 0)
         polygon.large = {any_edge(random), any_edge(random)};
       else
-        polygon.fixed = {any_column(random, polygon.fraction_bits),
-                         any_column(random, polygon.fraction_bits),
-                         any_step(random, polygon.fraction_bits),
-                         any_step(random, polygon.fraction_bits),
-                         0,
-                         0};
+        polygon.fixed = any_fixed_edges(random, polygon.fraction_bits);
       return;
     default:
       break;
@@ -72,24 +71,8 @@ void change(Random& random, AwakePolygon& polygon) {
       (left ? polygon.fixed.left_step : polygon.fixed.right_step) = any_step(random, bits);
     return;
   }
-  Edge& edge = left ? polygon.large.left : polygon.large.right;
-  const Edge other = any_edge(random);
-  switch (random.between(0, 4)) {
-    case 0:
-      edge.x = other.x;
-      break;
-    case 1:
-      edge.step = other.step;
-      break;
-    case 2:
-      edge.error = other.error;
-      break;
-    case 3:
-      edge.remainder = other.remainder;
-      break;
-    default:
-      edge.height = other.height;
-  }
+  const auto part = one_of(random, {&Edge::x, &Edge::step, &Edge::error, &Edge::remainder, &Edge::height});
+  (left ? polygon.large.left : polygon.large.right).*part = any_edge(random).*part;
 }
 
 /// Whether the columns of `hidden` that lie in the picture are columns of `front`.
@@ -107,7 +90,7 @@ TEST(Sleep, WhatSleepsIsHiddenOnEveryRowUntilItWakes) {
     AwakePolygon front{};
     front.fraction_bits = 16;
     front.origin = -bias;
-    front.fixed = {any_column(random, 16), any_column(random, 16), any_step(random, 16), any_step(random, 16), 0, 0};
+    front.fixed = any_fixed_edges(random, 16);
     front.turn_row = row + 60;
     for (int parts = random.between(4, 12); parts > 0; --parts) change(random, front);
     AwakePolygon hidden = front;
