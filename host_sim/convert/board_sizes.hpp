@@ -9,6 +9,6 @@ inline constexpr std::size_t instance = 228, vertex = 8, shade = 4, polygon = 4,
 /// A renderer for 320×240 in bands of 16 lines with two bands of colour, without any entry in these pools.
 inline constexpr std::size_t bands_of_16 = 30759;
 /// The object of type Mesh, in flash beside its tables.
-inline constexpr std::size_t mesh_object = 104;
+inline constexpr std::size_t mesh_object = 112;
 
 }  // namespace spanline::sim::board

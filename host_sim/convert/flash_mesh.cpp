@@ -71,6 +71,7 @@ CoreMesh to_flash_mesh(const Scene& scene) {
   for (const Vector3 normal : scene.vertex_normals) mesh.vertex_normals.push_back(to_packed_normal(normal));
   mesh.polygon_colours = scene.polygon_colours;
   mesh.vertex_colours = scene.vertex_colours;
+  mesh.vertex_opacities = scene.vertex_opacities;
   if (!scene.texture_points.empty()) mesh.texture_exponent = texture_exponent_for(scene.texture_points);
   for (const TexturePoint point : scene.texture_points)
     mesh.texture_coordinates.push_back(to_coordinate(point, mesh.texture_exponent));

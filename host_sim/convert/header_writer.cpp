@@ -69,14 +69,17 @@ void append_tables(std::string& text, const CoreMesh& mesh) {
   append_table(text, "spanline::Rgb888", "vertex_colours", mesh.vertex_colours, colour_text);
   append_table(text, "spanline::TextureCoordinate", "texture_coordinates", mesh.texture_coordinates,
                [](TextureCoordinate c) { return "{" + std::to_string(c.s) + ", " + std::to_string(c.t) + "}"; });
+  append_table(text, "std::uint8_t", "vertex_opacities", mesh.vertex_opacities,
+               [](std::uint8_t o) { return std::to_string(o); });
 }
 
 void append_mesh(std::string& text, const CoreMesh& mesh, const std::string& name) {
   text += "inline constexpr spanline::Mesh " + name + "{\n";
   const std::vector<TableSize> filled = table_sizes(mesh);
   // Empty tables are named too: compilers warn of members without an initialiser.
-  for (const std::string table : {"vertices", "wide_vertices", "indices", "corners", "polygon_normals",
-                                  "vertex_normals", "polygon_colours", "vertex_colours", "texture_coordinates"}) {
+  for (const std::string table :
+       {"vertices", "wide_vertices", "indices", "corners", "polygon_normals", "vertex_normals", "polygon_colours",
+        "vertex_colours", "texture_coordinates", "vertex_opacities"}) {
     const bool present = std::any_of(filled.begin(), filled.end(), [&](const TableSize& t) { return t.name == table; });
     text += "    ." + table + " = " + (present ? name + "_tables::" + table : "{}") + ",\n";
   }
@@ -109,6 +112,7 @@ std::vector<TableSize> table_sizes(const CoreMesh& mesh) {
   add("polygon_colours", mesh.polygon_colours);
   add("vertex_colours", mesh.vertex_colours);
   add("texture_coordinates", mesh.texture_coordinates);
+  add("vertex_opacities", mesh.vertex_opacities);
   return sizes;
 }
 

@@ -59,18 +59,27 @@ std::optional<ColourFactor> material_colour(const aiScene& file, unsigned index)
   return to_factor(colour);
 }
 
-/// What of a material is seen: its opacity, unless glTF's alphaMode says otherwise (glTF 2.0, 3.9.4, "Alpha Coverage").
+/// glTF's alphaMode (glTF 2.0, 3.9.4, "Alpha Coverage"); formats without one take alpha as it is.
+enum class AlphaMode : std::uint8_t { opaque, mask, blend };
+
+AlphaMode alpha_mode(const aiScene& file, unsigned index) {
+  aiString mode;
+  if (index >= file.mNumMaterials || file.mMaterials[index]->Get("$mat.gltf.alphaMode", 0, 0, mode) != aiReturn_SUCCESS)
+    return AlphaMode::blend;
+  if (std::string_view(mode.C_Str()) == "BLEND") return AlphaMode::blend;
+  return std::string_view(mode.C_Str()) == "MASK" ? AlphaMode::mask : AlphaMode::opaque;
+}
+
+/// What of a material is seen: its opacity, unless its alphaMode says otherwise.
 std::uint32_t material_opacity(const aiScene& file, unsigned index) {
   constexpr std::uint32_t opaque = 255;
   if (index >= file.mNumMaterials) return opaque;
   const aiMaterial& material = *file.mMaterials[index];
   ai_real opacity = 1;
   if (material.Get(AI_MATKEY_OPACITY, opacity) != aiReturn_SUCCESS) return opaque;
-  const std::uint32_t straight = to_byte(static_cast<double>(opacity));
-  aiString mode;
-  if (material.Get("$mat.gltf.alphaMode", 0, 0, mode) != aiReturn_SUCCESS) return straight;
-  if (std::string_view(mode.C_Str()) == "BLEND") return straight;
-  if (std::string_view(mode.C_Str()) != "MASK") return opaque;
+  const AlphaMode mode = alpha_mode(file, index);
+  if (mode == AlphaMode::blend) return to_byte(static_cast<double>(opacity));
+  if (mode == AlphaMode::opaque) return opaque;
   ai_real cutoff = ai_real(0.5);
   if (material.Get("$mat.gltf.alphaCutoff", 0, 0, cutoff) != aiReturn_SUCCESS) cutoff = ai_real(0.5);
   return opacity < cutoff ? 0 : opaque;
@@ -92,6 +101,7 @@ class SceneBuilder {
       const aiMesh& mesh = *file.mMeshes[i];
       any_normals_ = any_normals_ || (keep_normals && mesh.HasNormals());
       any_vertex_colours_ = any_vertex_colours_ || mesh.HasVertexColors(0);
+      any_vertex_opacities_ = any_vertex_opacities_ || has_opacities(mesh);
       any_texture_points_ = any_texture_points_ || mesh.HasTextureCoords(0);
       any_materials_ = any_materials_ || material_colour(file, mesh.mMaterialIndex).has_value();
     }
@@ -143,10 +153,20 @@ class SceneBuilder {
       scene_.positions.push_back(position);
       if (any_texture_points_) scene_.texture_points.push_back(texture_point(mesh, i));
       if (any_normals_) scene_.vertex_normals.push_back(vertex_normal(mesh, i, world));
+      if (any_vertex_opacities_)
+        scene_.vertex_opacities.push_back(has_opacities(mesh) ? to_byte(static_cast<double>(mesh.mColors[0][i].a))
+                                                              : std::uint8_t{255});
       if (any_vertex_colours_)
         scene_.vertex_colours.push_back(mesh.HasVertexColors(0) ? (to_factor(mesh.mColors[0][i]) * colour).rounded()
                                                                 : colour.rounded());
     }
+  }
+
+  /// Whether any vertex is not opaque, and the material honours that.
+  [[nodiscard]] bool has_opacities(const aiMesh& mesh) const {
+    if (!mesh.HasVertexColors(0) || alpha_mode(file_, mesh.mMaterialIndex) != AlphaMode::blend) return false;
+    return std::any_of(mesh.mColors[0], mesh.mColors[0] + mesh.mNumVertices,
+                       [](const aiColor4D& colour) { return colour.a < ai_real(1); });
   }
 
   Vector3 vertex_normal(const aiMesh& mesh, unsigned vertex, const Affine& world) const {
@@ -186,6 +206,7 @@ class SceneBuilder {
   bool keep_normals_;
   bool any_normals_ = false;
   bool any_vertex_colours_ = false;
+  bool any_vertex_opacities_ = false;
   bool any_texture_points_ = false;
   bool any_materials_ = false;
   std::size_t first_vertex_ = 0;

@@ -157,7 +157,7 @@ class FrameDrawing {
     for (const CoreMesh& mesh : meshes) {
       triangles_ += mesh.indices.size() / 3;
       meshes_.push_back(mesh.view());
-      see_through_ = see_through_ || mesh.opacity < 255;
+      see_through_ = see_through_ || mesh.opacity < 255 || !mesh.vertex_opacities.empty();
     }
     const CoreMesh& first = meshes.front();
     // Without normals every vertex is fully lit: only colours of vertices call for interpolation then.
@@ -179,7 +179,7 @@ class FrameDrawing {
     Frame frame;
     frame.size = request_.size;
     if (see_through_)
-      draw_colours<SeeThroughTraits<Rgb565, Depth, true, Visibility>>(frame);
+      draw_colours<GeneralSeeThroughTraits<Rgb565, Depth, true, Visibility>>(frame);
     else
       draw_colours<GeneralTraits<Rgb565, Depth, true, Visibility>>(frame);
     if (request_.want_ids || request_.want_statistics) draw_ids(frame);
@@ -301,7 +301,9 @@ Result FrameRenderer::with_drawing(const FrameRequest& request, F f) {
   capacity_.band_lines = static_cast<std::uint16_t>(request.band_lines);
   capacity_.colour_bands = 1;
   if (request.texture != nullptr) capacity_.textures = std::max(capacity_.textures, capacity_.vertices);
-  if (request.smooth) capacity_.shades = std::max(capacity_.shades, capacity_.vertices);
+  const bool with_opacities =
+      std::any_of(meshes_.begin(), meshes_.end(), [](const CoreMesh& mesh) { return !mesh.vertex_opacities.empty(); });
+  if (request.smooth || with_opacities) capacity_.shades = std::max(capacity_.shades, capacity_.vertices);
   if (request.band_lines < request.size.height || !request.visibility->full_frame)
     capacity_.active = std::max(capacity_.active, std::min(capacity_.polygons, first_active));
   return with_visibility(*request.visibility, [&]<class Visibility>() -> Result {

@@ -17,10 +17,6 @@ Studio::Studio(const RenderArguments& arguments) : arguments_(arguments), scene_
     texture_ = image_.view();
   }
   fade(scene_, arguments.opacity);
-  if (is_see_through(scene_)) {
-    if (shading_->textured) throw NotAvailable("--shade texture on what is seen through");
-    if (arguments.fog || arguments.dither) throw NotAvailable("--fog and --dither on what is seen through");
-  }
   scene_ = prepared_for(std::move(scene_), *shading_);
   view_ = resolve_view(arguments.view, scene_, arguments.size, arguments.turntable_frames > 0);
   light_ = resolve_light(arguments.lights, arguments.ambient, view_);

@@ -63,6 +63,7 @@ class MeshCutter {
         {static_cast<std::int32_t>(point.x), static_cast<std::int32_t>(point.y), static_cast<std::int32_t>(point.z)});
     if (!scene_.vertex_normals.empty()) mesh_.vertex_normals.push_back(to_packed_normal(scene_.vertex_normals[vertex]));
     if (!scene_.vertex_colours.empty()) mesh_.vertex_colours.push_back(scene_.vertex_colours[vertex]);
+    if (!scene_.vertex_opacities.empty()) mesh_.vertex_opacities.push_back(scene_.vertex_opacities[vertex]);
     if (!scene_.texture_points.empty()) {
       mesh_.texture_coordinates.push_back(to_coordinate(scene_.texture_points[vertex], texture_exponent_));
     }
@@ -117,6 +118,7 @@ Mesh CoreMesh::view() const {
   mesh.polygon_colours = polygon_colours;
   mesh.vertex_colours = vertex_colours;
   mesh.texture_coordinates = texture_coordinates;
+  mesh.vertex_opacities = vertex_opacities;
   mesh.texture_exponent = static_cast<std::int8_t>(texture_exponent);
   mesh.offset = offset;
   mesh.step_exponent = static_cast<std::int8_t>(step_exponent);

@@ -14,6 +14,7 @@ struct CoreMesh {
   std::vector<std::uint16_t> indices;
   std::vector<PackedNormal> polygon_normals, vertex_normals;
   std::vector<Rgb888> polygon_colours, vertex_colours;
+  std::vector<std::uint8_t> vertex_opacities;
   std::vector<TextureCoordinate> texture_coordinates;
   int texture_exponent = -14;
   Rgb888 colour{};  ///< for the material, where there are no tables of colours

@@ -40,8 +40,8 @@ void push_if_used(Table& table, bool used, const Value& value) {
 }  // namespace
 
 bool is_see_through(const Scene& scene) {
-  return std::any_of(scene.parts.begin(), scene.parts.end(),
-                     [](const Scene::Part& part) { return part.opacity < 255; });
+  return !scene.vertex_opacities.empty() || std::any_of(scene.parts.begin(), scene.parts.end(),
+                                                        [](const Scene::Part& part) { return part.opacity < 255; });
 }
 
 void fade(Scene& scene, double opacity) {
@@ -72,6 +72,7 @@ Scene welded(const Scene& scene) {
   result.triangles.reserve(scene.triangles.size());
   const bool normals = !scene.vertex_normals.empty();
   const bool colours = !scene.vertex_colours.empty();
+  const bool opacities = !scene.vertex_opacities.empty();
   const bool textured = !scene.texture_points.empty();
   std::unordered_map<VertexKey, std::uint32_t, VertexKeyHash> numbers;
   numbers.reserve(scene.positions.size());
@@ -84,7 +85,9 @@ Scene welded(const Scene& scene) {
       VertexKey key;
       key.put(0, scene.positions[old]);
       key.put(3, normal);
-      key.words[6] = std::uint64_t{colour.red} << 16 | std::uint64_t{colour.green} << 8 | colour.blue;
+      const std::uint8_t opacity = opacities ? scene.vertex_opacities[old] : std::uint8_t{255};
+      key.words[6] = std::uint64_t{opacity} << 24 | std::uint64_t{colour.red} << 16 | std::uint64_t{colour.green} << 8 |
+                     colour.blue;
       const TexturePoint point = textured ? scene.texture_points[old] : TexturePoint{};
       key.words[7] = std::bit_cast<std::uint64_t>(point.s + 0.0);
       key.words[8] = std::bit_cast<std::uint64_t>(point.t + 0.0);
@@ -93,6 +96,7 @@ Scene welded(const Scene& scene) {
         result.positions.push_back(scene.positions[old]);
         push_if_used(result.vertex_normals, normals, normal);
         push_if_used(result.vertex_colours, colours, colour);
+        push_if_used(result.vertex_opacities, opacities, opacity);
         push_if_used(result.texture_points, textured, point);
       }
       corners[i] = entry->second;
@@ -150,13 +154,19 @@ void polygon_colours_to_vertices(Scene& scene) {
   Scene split = scene;
   split.positions.clear();
   split.vertex_normals.clear();
+  split.vertex_opacities.clear();
+  split.texture_points.clear();
   for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t old = scene.triangles[i][k];
       split.triangles[i][k] = static_cast<std::uint32_t>(split.positions.size());
       split.positions.push_back(scene.positions[old]);
-      push_if_used(split.vertex_normals, !scene.vertex_normals.empty(),
-                   scene.vertex_normals.empty() ? Vector3{} : scene.vertex_normals[old]);
+      const auto take_over = [old](const auto& from, auto& to) {
+        if (!from.empty()) to.push_back(from[old]);
+      };
+      take_over(scene.vertex_normals, split.vertex_normals);
+      take_over(scene.vertex_opacities, split.vertex_opacities);
+      take_over(scene.texture_points, split.texture_points);
       split.vertex_colours.push_back(scene.polygon_colours[i]);
     }
   }

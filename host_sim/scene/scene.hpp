@@ -28,15 +28,16 @@ struct Scene {
   using Triangle = std::array<std::uint32_t, 3>;
 
   std::vector<Vector3> positions;
-  std::vector<Vector3> vertex_normals;       ///< unit length, one a vertex
-  std::vector<Rgb888> vertex_colours;        ///< one a vertex
-  std::vector<TexturePoint> texture_points;  ///< one a vertex
-  std::vector<Triangle> triangles;           ///< vertex numbers
-  std::vector<Vector3> polygon_normals;      ///< one a triangle: its polygon's (Newell), zero if it has no area
-  std::vector<Rgb888> polygon_colours;       ///< one a triangle
-  std::vector<Part> parts;                   ///< in file order; empty: one, opaque
-  Rgb888 colour{};                           ///< of everything, where there are no tables of colours
-  bool normals_from_file = false;            ///< the file itself has vertex normals
+  std::vector<Vector3> vertex_normals;         ///< unit length, one a vertex
+  std::vector<Rgb888> vertex_colours;          ///< one a vertex
+  std::vector<std::uint8_t> vertex_opacities;  ///< one a vertex, 255ths of its part's
+  std::vector<TexturePoint> texture_points;    ///< one a vertex
+  std::vector<Triangle> triangles;             ///< vertex numbers
+  std::vector<Vector3> polygon_normals;        ///< one a triangle: its polygon's (Newell), zero if it has no area
+  std::vector<Rgb888> polygon_colours;         ///< one a triangle
+  std::vector<Part> parts;                     ///< in file order; empty: one, opaque
+  Rgb888 colour{};                             ///< of everything, where there are no tables of colours
+  bool normals_from_file = false;              ///< the file itself has vertex normals
 };
 
 /// Whether anything shows what lies behind it.

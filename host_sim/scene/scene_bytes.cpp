@@ -47,9 +47,9 @@ bool consistent(const Scene& scene) {
   const std::size_t vertices = scene.positions.size();
   const std::size_t triangles = scene.triangles.size();
   return none_or(scene.vertex_normals.size(), vertices) && none_or(scene.vertex_colours.size(), vertices) &&
-         none_or(scene.texture_points.size(), vertices) && none_or(scene.polygon_colours.size(), triangles) &&
-         scene.polygon_normals.size() == triangles && in_order(scene.parts, triangles) &&
-         std::all_of(scene.positions.begin(), scene.positions.end(), finite) &&
+         none_or(scene.vertex_opacities.size(), vertices) && none_or(scene.texture_points.size(), vertices) &&
+         none_or(scene.polygon_colours.size(), triangles) && scene.polygon_normals.size() == triangles &&
+         in_order(scene.parts, triangles) && std::all_of(scene.positions.begin(), scene.positions.end(), finite) &&
          std::all_of(scene.vertex_normals.begin(), scene.vertex_normals.end(), finite) &&
          std::all_of(scene.texture_points.begin(), scene.texture_points.end(), finite_point) &&
          std::all_of(scene.polygon_normals.begin(), scene.polygon_normals.end(), finite) &&
@@ -67,6 +67,7 @@ std::vector<std::byte> to_bytes(const Scene& scene) {
   put(bytes, scene.positions);
   put(bytes, scene.vertex_normals);
   put(bytes, scene.vertex_colours);
+  put(bytes, scene.vertex_opacities);
   put(bytes, scene.texture_points);
   put(bytes, scene.triangles);
   put(bytes, scene.polygon_normals);
@@ -81,9 +82,10 @@ std::optional<Scene> scene_from_bytes(std::span<const std::byte> bytes) {
   scene.normals_from_file = bytes[0] != std::byte{0};
   bytes = bytes.subspan(1);
   const bool whole = take(bytes, scene.positions) && take(bytes, scene.vertex_normals) &&
-                     take(bytes, scene.vertex_colours) && take(bytes, scene.texture_points) &&
-                     take(bytes, scene.triangles) && take(bytes, scene.polygon_normals) &&
-                     take(bytes, scene.polygon_colours) && take(bytes, scene.parts) && bytes.empty();
+                     take(bytes, scene.vertex_colours) && take(bytes, scene.vertex_opacities) &&
+                     take(bytes, scene.texture_points) && take(bytes, scene.triangles) &&
+                     take(bytes, scene.polygon_normals) && take(bytes, scene.polygon_colours) &&
+                     take(bytes, scene.parts) && bytes.empty();
   if (!whole || !consistent(scene)) return std::nullopt;
   return scene;
 }

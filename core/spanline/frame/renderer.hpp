@@ -119,13 +119,14 @@ class Renderer {
   Status add(const Mesh& mesh, const Transform& transform, const Material& material) {
     if (!ready_) return status_.ok() ? Status{Fault::bad_settings, Pool::none, 0} : status_;
     const bool textured = has_textures && material.texturing.texture != nullptr && !mesh.texture_coordinates.empty();
-    const std::uint8_t shader = shader_for<Traits>(material, !mesh.vertex_colours.empty(), textured, effects_wanted_);
+    const bool texels_have_alpha = textured && has_alpha(material.texturing);
+    const bool holes = texels_have_alpha && material.texturing.alpha == TexelAlpha::cut_out;
+    const bool varies = varying_opacity(mesh) || (texels_have_alpha && !holes);
+    const std::uint8_t shader =
+        shader_for<Traits>(material, {!mesh.vertex_colours.empty(), textured, effects_wanted_, varies});
     const std::uint32_t first_id = used_.ids;
     used_.ids += static_cast<std::uint32_t>(mesh.triangle_count());
     if (shader >= Shaders::count) return {Fault::shader_missing, Pool::none, 0};
-    // Decals are there all over.
-    const bool holes =
-        textured && material.texturing.texture->has_holes() && material.texturing.function != TextureFunction::decal;
     // An algorithm that decides by whole spans cannot look through holes, unless it has layers.
     if (!Visibility::tests_depth && !Shaders::see_through && holes) return {Fault::shader_missing, Pool::none, 0};
 
@@ -135,7 +136,7 @@ class Renderer {
       statistics_.polygons.outside += static_cast<std::uint32_t>(mesh.triangle_count());
       return {};
     }
-    const bool shaded = needs_shades(material);
+    const bool shaded = needs_shades(mesh, material);
     if (const Status room = reserve(mesh, shaded, textured); !room.ok()) return room;
 
     const Link number = table_.group_count++;
@@ -150,14 +151,15 @@ class Renderer {
              table_.polygon_count,
              first_id,
              geometry.placement() != Placement::inside,
-             Shaders::see_through && (holes || is_see_through(material))};
+             Shaders::see_through && (holes || varies || is_see_through(material))};
     shading = {};
     shading.mesh = &mesh;
     shading.vertex_shades = store.shades.data();
     if constexpr (has_textures) {
-      if (textured || shader == Shaders::template index_of<GeneralShader<Format>>) {
+      if (textured || is_general(shader)) {
         TexturedGroup& more = pools_.textured[number];
-        more = {textured ? store.textures.data() : nullptr, material.texturing, material.colour};
+        more = {textured ? store.textures.data() : nullptr, material.texturing, material.colour,
+                shaded && material.shading == ShadingMode::gouraud, kind_of_shades(mesh)};
         if constexpr (has_effects) more.effects = &effects_;
         shading.textured = &more;
       }
@@ -178,7 +180,7 @@ class Renderer {
                     const Material& material = {}) {
     if (!ready_) return status_.ok() ? Status{Fault::bad_settings, Pool::none, 0} : status_;
     if (vertices.size() / 3 >= fan_flag) return {Fault::too_many_triangles, Pool::none, 0};
-    const std::uint8_t shader = shader_for<Traits>(material, false, false, false);
+    const std::uint8_t shader = shader_for<Traits>(material, {false, false, false});
     const std::uint32_t first_id = used_.ids;
     used_.ids += static_cast<std::uint32_t>(vertices.size() / 3);
     if (shader >= Shaders::count) return {Fault::shader_missing, Pool::none, 0};
@@ -234,13 +236,28 @@ class Renderer {
  private:
   friend class BandPartner<Traits>;
   using Visibility = typename BandDrawer<Traits>::Visibility;
+  static constexpr std::uint8_t general = Shaders::template index_of<GeneralShader<Format>>,
+                                translucent = Shaders::first([]<class Shader>() { return Translucent<Shader>; });
+  static constexpr bool has_ids = Shaders::template index_of<IdShader> < Shaders::count;
+  static constexpr bool has_translucent = translucent < Shaders::count;
   static constexpr bool has_ramps = Shaders::template index_of<GouraudShader<Format>> < Shaders::count;
   static constexpr bool has_shades =
-      has_ramps || Shaders::template index_of<GouraudColourShader<Format>> < Shaders::count;
+      has_ramps || has_translucent || Shaders::template index_of<GouraudColourShader<Format>> < Shaders::count;
   static constexpr bool has_textures =
-      Shaders::first([]<class Shader>() { return DrawsTextures<Shader>; }) < Shaders::count;
-
-  static constexpr bool has_effects = Shaders::template index_of<GeneralShader<Format>> < Shaders::count;
+      Shaders::first([]<class Shader>() { return DrawsTextures<Shader> || Translucent<Shader>; }) < Shaders::count;
+  static constexpr bool has_effects = general < Shaders::count || has_translucent;
+  [[nodiscard]] static constexpr bool is_general(std::uint8_t shader) {
+    return has_effects && (shader == general || shader == translucent);
+  }
+  /// Whether vertices have opacities of their own, and there is a shader for them: others say so, or draw ids.
+  [[nodiscard]] static bool varying_opacity(const Mesh& mesh) {
+    if constexpr (has_ids) return false;
+    return !mesh.vertex_opacities.empty();
+  }
+  [[nodiscard]] static vertex_shade::Kind kind_of_shades(const Mesh& mesh) {
+    if (has_translucent && varying_opacity(mesh)) return vertex_shade::Kind::colour_and_opacity;
+    return shade_kind(mesh);
+  }
   struct NoEffects {};
 
   void prepare_effects([[maybe_unused]] const FrameSettings& settings) {
@@ -287,7 +304,8 @@ class Renderer {
   };
 
   [[nodiscard]] Viewport viewport() const { return {capacity().width, capacity().height}; }
-  [[nodiscard]] static bool needs_shades(const Material& material) {
+  [[nodiscard]] static bool needs_shades(const Mesh& mesh, const Material& material) {
+    if (has_translucent && varying_opacity(mesh)) return true;
     return has_shades && material.shading == ShadingMode::gouraud;
   }
 
@@ -344,6 +362,9 @@ class Renderer {
 
   void prepare_shades(const Mesh& mesh, const Material& material, Link number, ShadingGroup& shading,
                       std::uint32_t* shades) {
+    if constexpr (has_translucent) {
+      if (varying_opacity(mesh)) return shade_translucent_vertices(mesh, material.colour, shading, shades);
+    }
     shade_vertices(mesh, shading, shades);
     if constexpr (has_ramps) {
       if (!mesh.vertex_colours.empty()) return;
@@ -357,7 +378,7 @@ class Renderer {
                   const PolygonGroup& group, VertexStore& store) {
     geometry.transform_vertices(store.vertices.data());
     PolygonAssembly assembly(table_, bucket_of_row_, viewport(), cull_);
-    const Clipper clipper = geometry.clipper(shade_kind(mesh));
+    const Clipper clipper = geometry.clipper(kind_of_shades(mesh));
     const bool shaded = !store.shades.empty(), textured = !store.textures.empty();
     std::size_t room = store.vertices.size();
     if (shaded) room = std::min(room, store.shades.size());
@@ -418,6 +439,8 @@ class Renderer {
     peaks_.buckets = pools_.buckets.size_bytes();
     peaks_.colour_bands = drawer_.pools().colour.size_bytes();
     peaks_.depth_band = Visibility::tests_depth ? drawer_.pools().depth.size_bytes() : 0;
+    if constexpr (requires(const typename Visibility::Memory& memory) { memory.band_bytes(); })
+      peaks_.depth_band += drawer_.pools().visibility.band_bytes();
   }
 
   BandDrawer<Traits> drawer_;

@@ -4,11 +4,14 @@
 #include "spanline/shade/flat.hpp"
 #include "spanline/shade/general_shader.hpp"
 #include "spanline/shade/gouraud.hpp"
+#include "spanline/shade/item_shaders.hpp"
 #include "spanline/shade/pixel_format.hpp"
 #include "spanline/shade/polygon_id.hpp"
 #include "spanline/shade/see_through.hpp"
 #include "spanline/shade/shader_list.hpp"
 #include "spanline/shade/textured.hpp"
+#include "spanline/shade/translucent.hpp"
+#include "spanline/visibility/deferred.hpp"
 #include "spanline/visibility/depth_buffer.hpp"
 #include "spanline/visibility/span/spanning_scan_line.hpp"
 
@@ -22,7 +25,7 @@ struct RendererTraits {
   using Depth = DepthFormatT;      ///< Depth16<…> or Depth24<…>
   using Format = PixelFormat;      ///< Rgb565, Rgb565Swapped or PolygonIds
   using Shaders = ShaderListT;     ///< ShaderList<…>
-  using Visibility = VisibilityT;  ///< ZBuffer or Spanning
+  using Visibility = VisibilityT;  ///< ZBuffer, BoundedZBuffer, Deferred<…> or Spanning
   static constexpr bool statistics =
       Statistics;  ///< count spans, pixels and depth tests, and tell the sink of covered polygons
 };
@@ -44,6 +47,19 @@ using SeeThroughTraits = RendererTraits<
     ShaderList<FlatShader<Format>, GouraudShader<Format>, GouraudColourShader<Format>,
                SeeThroughShader<Format, FlatShader<Format>>, SeeThroughShader<Format, GouraudShader<Format>>,
                SeeThroughShader<Format, GouraudColourShader<Format>>>,
+    Statistics, Visibility>;
+
+/// All of those, opaque and see-through, and opacities that vary over a polygon.
+template <class Format = Rgb565, class Depth = Depth16<>, bool Statistics = false, class Visibility = ZBuffer>
+using GeneralSeeThroughTraits = RendererTraits<
+    Depth, Format,
+    ShaderList<FlatShader<Format>, GouraudShader<Format>, GouraudColourShader<Format>,
+               RepeatedTextureShader<Format, TexelFormat::rgb565, NoTexelLight>,
+               RepeatedTextureShader<Format, TexelFormat::rgb565, FlatTexelLight>,
+               RepeatedTextureShader<Format, TexelFormat::rgb565, GouraudTexelLight>, GeneralShader<Format>,
+               SeeThroughShader<Format, FlatShader<Format>>, SeeThroughShader<Format, GouraudShader<Format>>,
+               SeeThroughShader<Format, GouraudColourShader<Format>>,
+               SeeThroughShader<Format, TranslucentShader<Format>>>,
     Statistics, Visibility>;
 
 /// Draws polygon numbers instead of colours.
@@ -77,49 +93,61 @@ concept DrawsTextures = requires(const Material& material) {
   Shader::serves(material, true);
 };
 
-/// Whether a shader serves a material on a mesh, but for its opacity.
+/// Whether a see-through shader's opacity may vary over a polygon.
+template <class Shader>
+concept Translucent = SeeThrough<Shader> && requires {
+  requires Shader::Inner::translucent;
+};
+
+/// What of a mesh, its material and the frame decides which shader serves.
+struct SurfaceNeeds {
+  bool vertex_colours, textured;
+  bool effects;         ///< fog or dither
+  bool varies = false;  ///< the opacity, over a polygon
+};
+
+/// Whether a shader serves a material, but for its opacity and for effects.
 template <class Shader, class Format>
-[[nodiscard]] constexpr bool serves(const Material& material, bool vertex_colours, bool textured) {
+[[nodiscard]] constexpr bool serves(const Material& material, SurfaceNeeds needs) {
   if constexpr (DrawsTextures<Shader>)
-    return textured && Shader::serves(material, vertex_colours);
-  else if (textured)
+    return needs.textured && Shader::serves(material, needs.vertex_colours);
+  else if (needs.textured)
     return false;
   else if (material.shading == ShadingMode::flat)
     return std::is_same_v<Shader, FlatShader<Format>>;
-  else if (vertex_colours)
+  else if (needs.vertex_colours)
     return std::is_same_v<Shader, GouraudColourShader<Format>>;
   else
     return std::is_same_v<Shader, GouraudShader<Format>>;
 }
 
-/// The place in the list of the shader that serves a material on a mesh, in a frame with effects or without; the list's
-/// `count` if there is none.
+/// The place in the list of the shader that serves a material on a mesh; the list's `count` if there is none.
 template <class Traits>
-[[nodiscard]] constexpr std::uint8_t shader_for(const Material& material, bool vertex_colours, bool textured,
-                                                bool effects) {
+[[nodiscard]] constexpr std::uint8_t shader_for(const Material& material, SurfaceNeeds needs) {
   using Shaders = typename Traits::Shaders;
   using Format = typename Traits::Format;
   if constexpr (Shaders::template index_of<IdShader> < Shaders::count) {
     return Shaders::template index_of<IdShader>;
   } else {
-    if (is_see_through(material))
+    if (needs.varies || is_see_through(material))
       return Shaders::first([&]<class Shader>() {
-        if constexpr (SeeThrough<Shader>)
-          return (!effects || std::is_same_v<typename Shader::Inner, GeneralShader<Format>>)&&serves<
-              typename Shader::Inner, Format>(material, vertex_colours, textured);
+        if constexpr (Translucent<Shader>)
+          return true;
+        else if constexpr (SeeThrough<Shader>)
+          return !needs.varies && !needs.effects && serves<typename Shader::Inner, Format>(material, needs);
         else
           return false;
       });
-    if (effects) return Shaders::template index_of<GeneralShader<Format>>;
-    if (textured)
+    if (needs.effects) return Shaders::template index_of<GeneralShader<Format>>;
+    if (needs.textured)
       return Shaders::first([&]<class Shader>() {
         if constexpr (DrawsTextures<Shader>)
-          return Shader::serves(material, vertex_colours);
+          return Shader::serves(material, needs.vertex_colours);
         else
           return false;
       });
     if (material.shading == ShadingMode::flat) return Shaders::template index_of<FlatShader<Format>>;
-    if (vertex_colours) return Shaders::template index_of<GouraudColourShader<Format>>;
+    if (needs.vertex_colours) return Shaders::template index_of<GouraudColourShader<Format>>;
     return Shaders::template index_of<GouraudShader<Format>>;
   }
 }

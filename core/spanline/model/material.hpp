@@ -23,6 +23,12 @@ enum class TextureFunction : std::uint8_t {
 
 enum class TextureFilter : std::uint8_t { nearest, bilinear };
 
+/// What the alpha of texels does to surfaces that are modulated, replaced or blended; decals mix by it.
+enum class TexelAlpha : std::uint8_t {
+  cut_out,  ///< texels are there, or they are not
+  blend,    ///< it multiplies the surface's opacity: for renderers with a `TranslucentShader` that is seen through
+};
+
 /// How texture coordinates run over a polygon on screen.
 enum class TextureMapping : std::uint8_t {
   perspective,  ///< as they should; polygons so small or so level that it makes no difference are drawn affine
@@ -43,8 +49,14 @@ struct Texturing {
   TextureFilter filter = TextureFilter::nearest;
   TextureMapping mapping = TextureMapping::perspective;
   MipMapping mip_mapping = MipMapping::none;
+  TexelAlpha alpha = TexelAlpha::cut_out;
   Rgb888 blend_colour{};  ///< of TextureFunction::blend
 };
+
+/// Whether the texture has an alpha that tells what of the surface is there; a decal is mixed by it instead.
+[[nodiscard]] constexpr bool has_alpha(const Texturing& texturing) {
+  return texturing.texture->has_alpha() && texturing.function != TextureFunction::decal;
+}
 
 /// How a surface that is not opaque shows what lies behind it.
 enum class Transparency : std::uint8_t {

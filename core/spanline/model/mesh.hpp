@@ -62,6 +62,7 @@ struct Mesh {
   std::span<const Rgb888> polygon_colours{};                 ///< one a polygon; empty: the material's colour
   std::span<const Rgb888> vertex_colours{};                  ///< one a vertex; empty: the material's colour
   std::span<const TextureCoordinate> texture_coordinates{};  ///< one a vertex; empty: never textured
+  std::span<const std::uint8_t> vertex_opacities{};  ///< one a vertex, 255ths of the material's; empty: all of it
 
   Vec3<std::int32_t> offset{};         ///< steps, added to every vertex; |component| ≤ 2^30
   std::int8_t step_exponent = -13;     ///< world units a step are 2^step_exponent; [−30, 14]

@@ -40,8 +40,8 @@ struct Texture {
   [[nodiscard]] constexpr bool has_palette() const {
     return format == TexelFormat::palette16 || format == TexelFormat::palette256;
   }
-  /// Whether texels may be absent.
-  [[nodiscard]] constexpr bool has_holes() const {
+  /// Whether texels have an alpha.
+  [[nodiscard]] constexpr bool has_alpha() const {
     return format == TexelFormat::rgb565_cutout || format == TexelFormat::argb4444;
   }
   /// log2 of a level's sides.

@@ -23,6 +23,7 @@ MeshReport check_sizes(const Mesh& mesh) {
   if (!none_or(mesh.polygon_colours.size(), polygons)) return fault(MeshFault::polygon_colours_count);
   if (!none_or(mesh.vertex_colours.size(), vertices)) return fault(MeshFault::vertex_colours_count);
   if (!none_or(mesh.texture_coordinates.size(), vertices)) return fault(MeshFault::texture_coordinates_count);
+  if (!none_or(mesh.vertex_opacities.size(), vertices)) return fault(MeshFault::vertex_opacities_count);
   if (mesh.texture_exponent < -20 || mesh.texture_exponent > -5) return fault(MeshFault::texture_exponent_range);
   if (mesh.step_exponent < -30 || mesh.step_exponent > 14) return fault(MeshFault::step_exponent_range);
   if (!in_range(mesh.offset.x) || !in_range(mesh.offset.y) || !in_range(mesh.offset.z))
@@ -106,6 +107,8 @@ const char* to_string(MeshFault fault) {
       return "vertex colours do not match the vertices";
     case MeshFault::texture_coordinates_count:
       return "texture coordinates do not match the vertices";
+    case MeshFault::vertex_opacities_count:
+      return "vertex opacities do not match the vertices";
     case MeshFault::texture_exponent_range:
       return "texture exponent out of range";
     case MeshFault::step_exponent_range:

@@ -22,6 +22,7 @@ enum class MeshFault : std::uint8_t {
   polygon_colours_count,      ///< neither none nor one a polygon
   vertex_colours_count,       ///< neither none nor one a vertex
   texture_coordinates_count,  ///< neither none nor one a vertex
+  vertex_opacities_count,     ///< neither none nor one a vertex
   step_exponent_range,        ///< outside [−30, 14]
   texture_exponent_range,     ///< outside [−20, −5]
   bounds_too_small,           ///< a vertex outside the bounding sphere

@@ -3,14 +3,15 @@
 
 namespace spanline {
 
-/// What a vertex carries for interpolated shading: one word, either an intensity or a colour.
+/// What a vertex carries for interpolated shading: one word, an intensity or a colour with or without opacity.
 ///
 /// Values keep off the ends of their range, so that the rounding of an interpolated plane cannot wrap.
 namespace vertex_shade {
 
 enum class Kind : std::uint8_t {
-  intensity,  ///< 1/65536 of full light, [64, 65471]
-  colour,     ///< a lit colour: 11 bits of red, 11 of green, 10 of blue, from the top
+  intensity,           ///< 1/65536 of full light, [64, 65471]
+  colour,              ///< a lit colour: 11 bits of red, 11 of green, 10 of blue, from the top
+  colour_and_opacity,  ///< 8 bits each of red, green, blue and opacity, from the top
 };
 
 inline constexpr std::uint32_t lowest_intensity = 64, highest_intensity = 65471;
@@ -28,6 +29,19 @@ inline constexpr std::uint32_t lowest_intensity = 64, highest_intensity = 65471;
   return static_cast<std::int32_t>(shade & 1023) << 6;
 }
 
+/// Kind::colour_and_opacity.
+[[nodiscard]] constexpr std::uint32_t pack(std::uint32_t red, std::uint32_t green, std::uint32_t blue,
+                                           std::uint32_t opacity) {
+  return red << 24 | green << 16 | blue << 8 | opacity;
+}
+/// A byte of it, counted from the top, as a 16-bit value that keeps off the ends.
+[[nodiscard]] constexpr std::int32_t byte_16(std::uint32_t shade, unsigned place) {
+  const std::uint32_t value = ((shade >> (24 - 8 * place)) & 255) * 257;
+  return static_cast<std::int32_t>(value < lowest_intensity    ? lowest_intensity
+                                   : value > highest_intensity ? highest_intensity
+                                                               : value);
+}
+
 /// from + (to − from)·t, t in Q31 of [0, 1].
 [[nodiscard]] constexpr std::uint32_t mix_word(std::uint32_t from, std::uint32_t to, std::uint32_t t) {
   const std::int64_t difference = static_cast<std::int64_t>(to) - static_cast<std::int64_t>(from);
@@ -35,6 +49,10 @@ inline constexpr std::uint32_t lowest_intensity = 64, highest_intensity = 65471;
 }
 [[nodiscard]] constexpr std::uint32_t mix(Kind kind, std::uint32_t from, std::uint32_t to, std::uint32_t t) {
   if (kind == Kind::intensity) return mix_word(from, to, t);
+  if (kind == Kind::colour_and_opacity) {
+    const auto byte = [&](unsigned shift) { return mix_word((from >> shift) & 255, (to >> shift) & 255, t); };
+    return pack(byte(24), byte(16), byte(8), byte(0));
+  }
   return pack(mix_word(from >> 21, to >> 21, t), mix_word((from >> 10) & 2047, (to >> 10) & 2047, t),
               mix_word(from & 1023, to & 1023, t));
 }

@@ -26,11 +26,13 @@ struct GeneralShader {
     [[nodiscard]] bool present() const {
       return general_pixel_present(*surface, *texels, coordinates.u, coordinates.v);
     }
-    [[nodiscard]] Pixel get() const {
+    [[nodiscard]] Pixel get() const { return Format::from_rgb565(whole().rgb565); }
+    /// With the opacity of its texels.
+    [[nodiscard]] GeneralColour whole() const {
       GeneralPixel pixel = at;
       pixel.u = coordinates.u;
       pixel.v = coordinates.v;
-      return Format::from_rgb565(general_pixel(*surface, *texels, pixel));
+      return general_pixel(*surface, *texels, pixel);
     }
     void forward() {
       coordinates.forward();
@@ -88,7 +90,7 @@ struct GeneralShader {
   [[nodiscard]] static bool serves(const Material&, bool) { return true; }
 
   template <class Gradients>
-  static void make(Surface& surface, const ShadingGroup& group, const PolygonCorners& polygon,
+  static void make(GeneralSurface& surface, const ShadingGroup& group, const PolygonCorners& polygon,
                    const Gradients& gradients) {
     surface.group = group.textured;
     surface.textured = group.textured->vertices != nullptr;
@@ -127,10 +129,10 @@ struct GeneralShader {
   static void light(GeneralSurface& surface, const ShadingGroup& group, const PolygonCorners& polygon,
                     const Gradients& gradients) {
     const Mesh& mesh = *group.mesh;
-    const Rgb888 colour = mesh.polygon_colours.empty() || group.vertex_shades != nullptr
-                              ? group.textured->colour
-                              : mesh.polygon_colours[polygon.polygon];
-    if (group.vertex_shades == nullptr) {
+    const bool smooth = group.textured->smooth;
+    const Rgb888 colour =
+        mesh.polygon_colours.empty() || smooth ? group.textured->colour : mesh.polygon_colours[polygon.polygon];
+    if (!smooth) {
       const Intensity intensity =
           mesh.polygon_normals.empty() ? Intensity{65535} : group.intensity(mesh.polygon_normals[polygon.polygon]);
       const auto all_over = [&](std::uint32_t channel) {
@@ -141,7 +143,20 @@ struct GeneralShader {
       surface.blue = all_over(colour.blue);
       return;
     }
-    const bool coloured = !mesh.vertex_colours.empty();
+    if (group.textured->shades == vertex_shade::Kind::colour_and_opacity) {
+      const auto fit = [&](unsigned place, LinearFunction& function) {
+        gradients.fit(
+            [&](const ScreenVertex* v) {
+              return vertex_shade::byte_16(group.vertex_shades[gradients.index(v)], place);
+            },
+            function);
+      };
+      fit(0, surface.red);
+      fit(1, surface.green);
+      fit(2, surface.blue);
+      return;
+    }
+    const bool coloured = group.textured->shades == vertex_shade::Kind::colour;
     const auto fit = [&](auto of_colour, std::uint32_t channel, LinearFunction& function) {
       gradients.fit(
           [&](const ScreenVertex* v) {

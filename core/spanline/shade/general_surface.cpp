@@ -1,6 +1,7 @@
 #include "spanline/shade/general_surface.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "spanline/shade/texel_reader.hpp"
 
@@ -50,8 +51,17 @@ struct Sample {
 
 Sample sample_of(const Texel& texel) { return {Colour::from(widened(texel.rgb565)), texel.alpha * 17}; }
 
-/// Four texels by their distance in 256ths: column by column, then row by row.
-Sample bilinear(const TexelSource& source, std::uint32_t u, std::uint32_t v) {
+/// 255/alpha in Q8; nothing for alpha 0.
+constexpr std::array<std::uint16_t, 256> straightening = [] {
+  std::array<std::uint16_t, 256> table{};
+  for (std::uint32_t alpha = 1; alpha < 256; ++alpha)
+    table[alpha] = static_cast<std::uint16_t>((255 * 256 + alpha / 2) / alpha);
+  return table;
+}();
+
+/// Four texels by their distance in 256ths: column by column, then row by row. Where alpha tells what is there, colours weigh by it,
+/// or the colour of texels that are not there would show at the rim of those that are.
+Sample bilinear(const TexelSource& source, std::uint32_t u, std::uint32_t v, bool by_alpha) {
   constexpr std::int32_t half = 1 << 15;
   const std::int32_t x = (signed_word(u) >> source.level) - half, y = (signed_word(v) >> source.level) - half;
   const std::int32_t right = (x >> 8) & 255, down = (y >> 8) & 255, column = x >> 16, row = y >> 16;
@@ -63,8 +73,24 @@ Sample bilinear(const TexelSource& source, std::uint32_t u, std::uint32_t v) {
     const std::int32_t below = value(corner[2]) * (256 - right) + value(corner[3]) * right;
     return (above * (256 - down) + below * down + 32768) >> 16;
   };
-  return {Colour::of([&](auto c) { return weighted([c](const Sample& s) { return s.colour.*c; }); }),
-          weighted([](const Sample& s) { return s.alpha; })};
+  const std::int32_t alpha = weighted([](const Sample& s) { return s.alpha; });
+  if (!by_alpha)
+    return {Colour::of([&](auto c) { return weighted([c](const Sample& s) { return s.colour.*c; }); }), alpha};
+  return {Colour::of([&](auto c) {
+            const std::int32_t covered = weighted([c](const Sample& s) { return in_255ths(s.alpha * s.colour.*c); });
+            return std::min<std::int32_t>((covered * straightening[word(alpha)] + 128) >> 8, 255);
+          }),
+          alpha};
+}
+
+/// What alpha of texels is for, where they have any and no decal is mixed by it.
+bool uses_alpha(const Texturing& texturing, TexelAlpha alpha) {
+  return texturing.alpha == alpha && has_alpha(texturing);
+}
+
+Sample sample(const Texturing& texturing, const TexelSource& texels, std::uint32_t u, std::uint32_t v) {
+  if (texturing.filter == TextureFilter::nearest) return sample_of(nearest_texel(texels, u, v));
+  return bilinear(texels, u, v, has_alpha(texturing));
 }
 
 Colour textured(const Texturing& texturing, const Sample& texel, const Colour& surface) {
@@ -149,20 +175,25 @@ TexelSource GeneralSurface::texels_at(std::int32_t column) const {
 }
 
 bool general_pixel_present(const GeneralSurface& surface, const TexelSource& texels, std::uint32_t u, std::uint32_t v) {
-  if (!surface.textured || !texels.texture->has_holes()) return true;
-  if (surface.group->texturing.function == TextureFunction::decal) return true;
+  if (!surface.textured || !uses_alpha(surface.group->texturing, TexelAlpha::cut_out)) return true;
   return nearest_texel(texels, u, v).alpha >= 8;
 }
 
-std::uint16_t general_pixel(const GeneralSurface& surface, const TexelSource& texels, const GeneralPixel& pixel) {
+std::uint8_t general_opacity(const GeneralSurface& surface, const TexelSource& texels, std::uint32_t u,
+                             std::uint32_t v) {
+  if (!surface.textured || !uses_alpha(surface.group->texturing, TexelAlpha::blend)) return 255;
+  return static_cast<std::uint8_t>(sample(surface.group->texturing, texels, u, v).alpha);
+}
+
+GeneralColour general_pixel(const GeneralSurface& surface, const TexelSource& texels, const GeneralPixel& pixel) {
   const auto channel = [](std::uint32_t value) { return signed_word(value >> 24); };
   Colour colour{channel(pixel.red), channel(pixel.green), channel(pixel.blue)};
+  std::uint8_t opacity = 255;
   if (surface.textured) {
     const Texturing& texturing = surface.group->texturing;
-    const Sample texel = texturing.filter == TextureFilter::bilinear
-                             ? bilinear(texels, pixel.u, pixel.v)
-                             : sample_of(nearest_texel(texels, pixel.u, pixel.v));
+    const Sample texel = sample(texturing, texels, pixel.u, pixel.v);
     colour = textured(texturing, texel, colour);
+    if (uses_alpha(texturing, TexelAlpha::blend)) opacity = static_cast<std::uint8_t>(texel.alpha);
   }
   const FrameEffects& effects = *surface.group->effects;
   if (effects.fogged)
@@ -172,8 +203,9 @@ std::uint16_t general_pixel(const GeneralSurface& surface, const TexelSource& te
   const auto rounded = [threshold](std::int32_t value, std::int32_t greatest) {
     return word(((value * greatest + threshold) * 0x8081) >> 23);
   };
-  return static_cast<std::uint16_t>(rounded(colour.red, 31) << 11 | rounded(colour.green, 63) << 5 |
-                                    rounded(colour.blue, 31));
+  return {static_cast<std::uint16_t>(rounded(colour.red, 31) << 11 | rounded(colour.green, 63) << 5 |
+                                     rounded(colour.blue, 31)),
+          opacity};
 }
 
 }  // namespace spanline

@@ -69,11 +69,20 @@ struct GeneralPixel {
   std::int32_t column;  ///< of the screen
 };
 
+/// What a pixel of a general surface comes to.
+struct GeneralColour {
+  std::uint16_t rgb565;
+  std::uint8_t opacity;  ///< of its texels in 255ths; 255 without texels that blend
+};
+
 /// Whether there is anything: nearest texels alone decide.
 [[nodiscard]] bool general_pixel_present(const GeneralSurface& surface, const TexelSource& texels, std::uint32_t u,
                                          std::uint32_t v);
-/// RGB565: the texture function over the lit colour (lecture 004), then fog, then rounding or dither.
-[[nodiscard]] std::uint16_t general_pixel(const GeneralSurface& surface, const TexelSource& texels,
+/// The texture function over the lit colour (lecture 004), then fog, then rounding or dither.
+[[nodiscard]] GeneralColour general_pixel(const GeneralSurface& surface, const TexelSource& texels,
                                           const GeneralPixel& pixel);
+/// Its opacity alone.
+[[nodiscard]] std::uint8_t general_opacity(const GeneralSurface& surface, const TexelSource& texels, std::uint32_t u,
+                                           std::uint32_t v);
 
 }  // namespace spanline

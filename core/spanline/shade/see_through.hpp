@@ -9,49 +9,21 @@
 #include "spanline/model/material.hpp"
 #include "spanline/raster/span.hpp"
 #include "spanline/shade/fill_run.hpp"
+#include "spanline/shade/layering.hpp"
 #include "spanline/shade/premultiplied.hpp"
 #include "spanline/shade/shading_group.hpp"
 #include "spanline/shade/stipple.hpp"
 
 namespace spanline {
 
-/// Whether anything may be seen behind a material, once its opacity is rounded.
-[[nodiscard]] constexpr bool is_see_through(const Material& material) {
-  if (material.transparency == Transparency::add) return true;
-  if (material.opacity == 255) return false;
-  if (material.transparency == Transparency::blend) return alpha_32(material.opacity) < opaque_alpha;
-  return stipple::level_of(material.opacity) < stipple::levels;
-}
-
-/// The layering of group `number` with a see-through material; `seed` in [0, 127] is for stochastic ones.
-[[nodiscard]] constexpr Layering layering_of(const Material& material, std::uint32_t number, std::uint32_t seed) {
-  const bool mixes = material.transparency == Transparency::blend || material.transparency == Transparency::add;
-  const std::uint32_t level = mixes ? alpha_32(material.opacity) : stipple::level_of(material.opacity);
-  const std::uint32_t variant = material.transparency == Transparency::stochastic ? seed : number;
-  Layering layering;
-  layering.transparency = static_cast<std::uint16_t>(static_cast<unsigned>(material.transparency) & 3u);
-  layering.level = static_cast<std::uint16_t>(level & 127u);
-  layering.variant = static_cast<std::uint16_t>(variant & 127u);
-  return layering;
-}
-
-/// A pixel of a layer whose colours mix: a straight colour with its coverage.
-template <class Format>
-struct PixelLayer {
-  typename Format::Pixel pixel;
-  std::uint8_t alpha;  ///< 32nds
-  bool adds;           ///< Transparency::add
-
-  /// Puts the layer over a pixel.
-  void over(typename Format::Pixel& below) const {
-    const std::uint32_t above = Format::from_rgb565(pixel), under = Format::from_rgb565(below);  // its own inverse
-    below = Format::from_rgb565(static_cast<std::uint16_t>(adds ? added_565(under, dimmed(above))
-                                                                : Premultiplied565::from(above, alpha).over(under)));
-  }
-  /// α of a colour, rounded to RGB565.
-  [[nodiscard]] std::uint32_t dimmed(std::uint32_t rgb565) const {
-    return Premultiplied565::from(rgb565, alpha).over(0);
-  }
+/// A source of pixels whose opacity varies: `opacity` in 255ths of the material's, `translucent()` with the colour, and
+/// where on the screen it stands.
+template <class S>
+concept TranslucentSource = requires(const S& view) {
+  { view.opacity() } -> std::convertible_to<std::uint32_t>;
+  view.translucent();
+  view.screen_column();
+  view.screen_row();
 };
 
 /// Any shader, seen through: by mixing colours or by leaving pixels out, as the group's material says.
@@ -64,6 +36,31 @@ struct SeeThroughShader {
   static constexpr bool interpolates = true;
 
   struct Surface;
+
+  /// A source of an inner surface whose opacity varies: each pixel has a level of its own.
+  template <class InnerSource>
+  struct VaryingSource : InnerSource {
+    static constexpr bool constant = false;
+    static constexpr bool has_holes = true;
+    std::uint32_t owner;
+    Layering layering;
+
+    [[nodiscard]] bool present() const {
+      if (!InnerSource::present()) return false;
+      const std::uint32_t level = level_at(layering, InnerSource::opacity());
+      if (mixes(layering)) return level != 0;
+      const auto x = word(InnerSource::screen_column()), y = word(InnerSource::screen_row());
+      const std::uint32_t threshold = is(layering, Transparency::screen_door)
+                                          ? stipple::ordered_threshold(owner, x, y)
+                                          : stipple::random_threshold(owner, x, y, layering.variant);
+      return threshold < level;
+    }
+    [[nodiscard]] Layer layer() const {
+      const auto pixel = InnerSource::translucent();
+      return {Format::from_rgb565(pixel.rgb565), static_cast<std::uint8_t>(level_at(layering, pixel.opacity)),
+              is(layering, Transparency::add)};
+    }
+  };
 
   /// A source of the inner surface with the pattern's bits: the lowest is the current pixel's.
   template <class InnerSource>
@@ -103,7 +100,11 @@ struct SeeThroughShader {
     [[nodiscard]] std::uint32_t rest() const { return inner_.rest() < rest_ ? inner_.rest() : rest_; }
     [[nodiscard]] std::uint32_t rest_of_block() const { return rest_; }
     [[nodiscard]] auto source() const {
-      return Source<decltype(inner_.source())>{inner_.source(), mask_, surface_.layering};
+      using InnerSource = decltype(inner_.source());
+      if constexpr (varies)
+        return VaryingSource<InnerSource>{inner_.source(), surface_.owner, surface_.layering};
+      else
+        return Source<InnerSource>{inner_.source(), mask_, surface_.layering};
     }
     void next() {
       inner_.move(rest_);
@@ -114,7 +115,7 @@ struct SeeThroughShader {
     void place(std::int32_t column) {
       rest_ = inner_.rest_of_block();
       mask_ = ~std::uint32_t{0};
-      if (surface_.blends()) return;
+      if (varies || surface_.blends()) return;
       const std::uint32_t x = word(column + surface_.origin), into = x & 31;
       if (32 - into < rest_) rest_ = 32 - into;
       mask_ = surface_.mask(x - into);
@@ -174,6 +175,8 @@ struct SeeThroughShader {
       std::int32_t column_;
     };
 
+    static constexpr bool varies = TranslucentSource<decltype(std::declval<const InnerWalk&>().source())>;
+
     const Surface& surface_;
     InnerWalk inner_;
     std::uint32_t rest_ = 0, mask_ = 0;
@@ -195,7 +198,7 @@ struct SeeThroughShader {
       row = static_cast<std::uint16_t>(row + rows);
     }
     [[nodiscard]] Blocks blocks(std::int32_t column) const { return {*this, column}; }
-    [[nodiscard]] bool blends() const { return is(layering, Transparency::blend) || is(layering, Transparency::add); }
+    [[nodiscard]] bool blends() const { return mixes(layering); }
     /// The pattern's bits for 32 columns from `x` on, a multiple of 32.
     [[nodiscard]] std::uint32_t mask(std::uint32_t x) const {
       return is(layering, Transparency::screen_door)
@@ -240,9 +243,6 @@ struct SeeThroughShader {
   }
 
  private:
-  [[nodiscard]] static bool is(Layering layering, Transparency transparency) {
-    return layering.transparency == static_cast<unsigned>(transparency);
-  }
   /// Clockwise on screen.
   [[nodiscard]] static bool turned_away(const PolygonCorners& polygon) {
     const auto [a, b, c] = polygon.corner;

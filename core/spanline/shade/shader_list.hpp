@@ -9,6 +9,9 @@
 
 namespace spanline {
 
+template <class... Shaders>
+struct ItemShaders;
+
 namespace shader_list {
 /// The layers of the first see-through shader; a list without any has none.
 template <class... Shaders>
@@ -32,6 +35,8 @@ struct ShaderList {
   /// Whether any of them shows what lies behind its polygons.
   static constexpr bool see_through = (SeeThrough<Shaders> || ...);
   using Layer = typename shader_list::LayerOf<Shaders...>::Type;
+  /// What draws into item buffers for these shaders (item_shaders.hpp).
+  using Items = ItemShaders<Shaders...>;
 
   struct Surface {
     alignas(std::max(

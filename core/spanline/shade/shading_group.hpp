@@ -5,6 +5,7 @@
 #include "spanline/model/material.hpp"
 #include "spanline/model/mesh.hpp"
 #include "spanline/raster/texture_vertex.hpp"
+#include "spanline/raster/vertex_shade.hpp"
 #include "spanline/shade/pixel_format.hpp"
 
 namespace spanline {
@@ -27,6 +28,8 @@ struct TexturedGroup {
   const TextureVertex* vertices;  ///< one a vertex; null without a texture
   Texturing texturing;
   Rgb888 colour;                          ///< the material's
+  bool smooth = false;                    ///< light and colour are interpolated
+  vertex_shade::Kind shades{};            ///< what `vertex_shades` are
   const FrameEffects* effects = nullptr;  ///< of the frame; for the general shader
 };
 

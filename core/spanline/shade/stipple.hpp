@@ -50,6 +50,12 @@ inline constexpr std::array<OrderedPattern, 8> ordered_patterns{{
   return mask * 0x01010101u;
 }
 
+/// The threshold of one pixel, below the level where it is there: `ordered_mask` one by one.
+[[nodiscard]] constexpr std::uint32_t ordered_threshold(std::uint32_t surface, std::uint32_t x, std::uint32_t y) {
+  const OrderedPattern& pattern = ordered_patterns[surface % ordered_patterns.size()];
+  return pattern.column[x & 7] ^ pattern.row[y & 7];
+}
+
 /// A word whose bits look random, by "lowbias32" (Wellons, "Prospecting for Hash Functions", 2018): a bijection of 32
 /// bits.
 [[nodiscard]] constexpr std::uint32_t scrambled(std::uint32_t word) {
@@ -58,17 +64,36 @@ inline constexpr std::array<OrderedPattern, 8> ordered_patterns{{
   return word ^ word >> 16;
 }
 
-/// The same, each bit set with probability level/64: six random words, one a binary digit of the level, from the lowest
-/// up; OR with a word makes half of the zeros ones, AND half of the ones zeros.
+inline constexpr std::uint32_t random_step = 0x9e3779b9u;
+/// Of the 32 columns around x on row y.
+[[nodiscard]] constexpr std::uint32_t random_start(std::uint32_t surface, std::uint32_t x, std::uint32_t y,
+                                                   std::uint32_t seed) {
+  return scrambled(scrambled(seed + surface * random_step) + (y << 6 | x >> 5));
+}
+
+/// As ordered_mask, each bit set with probability level/64: six random words, one a binary digit of the level, from the
+/// lowest up; OR with a word makes half of the zeros ones, AND half of the ones zeros.
 [[nodiscard]] constexpr std::uint32_t random_mask(std::uint32_t surface, std::uint32_t level, std::uint32_t x,
                                                   std::uint32_t y, std::uint32_t seed) {
   if (level >= levels) return ~std::uint32_t{0};
-  std::uint32_t word = scrambled(scrambled(seed + surface * 0x9e3779b9u) + (y << 6 | x >> 5)), mask = 0;
+  std::uint32_t word = random_start(surface, x, y, seed), mask = 0;
   for (std::uint32_t digit = 1; digit < levels; digit <<= 1) {
-    word = scrambled(word + 0x9e3779b9u);
+    word = scrambled(word + random_step);
     mask = (level & digit) != 0 ? mask | word : mask & word;
   }
   return mask;
+}
+
+/// The threshold in [0, 63] of one pixel, below the level where it is there: `random_mask` one by one. The last digit
+/// in which level and threshold differ decides, and there the pixel's bit of the random word is the level's.
+[[nodiscard]] constexpr std::uint32_t random_threshold(std::uint32_t surface, std::uint32_t x, std::uint32_t y,
+                                                       std::uint32_t seed) {
+  std::uint32_t word = random_start(surface, x, y, seed), threshold = 0;
+  for (std::uint32_t digit = 1; digit < levels; digit <<= 1) {
+    word = scrambled(word + random_step);
+    if ((word >> (x & 31) & 1) == 0) threshold |= digit;
+  }
+  return threshold;
 }
 
 }  // namespace stipple

@@ -212,6 +212,7 @@ class DepthBuffer {
             if (!activate_plain(a, b, c, job)) return;
             Shader::make(surface, *job.shading, corners);
           }
+          if constexpr (requires { surface.item; }) surface.item = polygon;
           if constexpr (Counting && Drawn) {
             if (covers_pixels(job.triangle, corners, job.viewport)) covered(job.shading->first_id + corners.triangle);
           }

@@ -150,5 +150,21 @@ TEST_F(ImportTest, AlphaModesOfGltfSayWhatOpacityMeans) {
   EXPECT_EQ(opacity(R"("alphaMode": "MASK", "alphaCutoff": 0.2)"), 255U);
 }
 
+TEST_F(ImportTest, VerticesHaveOpacitiesOfTheirOwnWhereAnyIsNotOpaque) {
+  const auto ply = [&](int alpha) {
+    return import_model(make_file("a.ply",
+                                  "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                                  "property float y\nproperty float z\nproperty uchar red\n"
+                                  "property uchar green\nproperty uchar blue\nproperty uchar alpha\n"
+                                  "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                                  "0 0 0 255 0 0 255\n1 0 0 0 255 0 " +
+                                      std::to_string(alpha) + "\n0 1 0 0 0 255 255\n3 0 1 2\n"));
+  };
+  const Scene scene = welded(ply(51));
+  EXPECT_TRUE(is_see_through(scene));
+  EXPECT_EQ(scene.vertex_opacities, (std::vector<std::uint8_t>{255, 51, 255}));
+  EXPECT_FALSE(is_see_through(ply(255)));
+}
+
 }  // namespace
 }  // namespace spanline::sim::test

@@ -23,6 +23,7 @@ OwnedMesh full_mesh() {
   mesh.vertex_normals.resize(8);
   mesh.vertex_colours.resize(8);
   mesh.texture_coordinates.resize(8);
+  mesh.vertex_opacities.resize(8);
   mesh.fit_bounds();
   return mesh;
 }
@@ -91,6 +92,7 @@ TEST(Validate, WantsNoneOrOneAttributeEach) {
   spoil(&OwnedMesh::polygon_colours, MeshFault::polygon_colours_count);
   spoil(&OwnedMesh::vertex_colours, MeshFault::vertex_colours_count);
   spoil(&OwnedMesh::texture_coordinates, MeshFault::texture_coordinates_count);
+  spoil(&OwnedMesh::vertex_opacities, MeshFault::vertex_opacities_count);
 }
 
 TEST(Validate, NamesTheVertexOutsideTheSphere) {

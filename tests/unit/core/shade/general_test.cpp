@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "scenes/textured_wall.hpp"
 #include "shade/shading_scene.hpp"
+#include "shade/wall_picture.hpp"
 #include "spanline/shade/texel_reader.hpp"
 #include "support/effort.hpp"
 
@@ -18,55 +18,6 @@ using GeneralAlone = RendererTraits<
     Depth, Rgb565,
     ShaderList<FlatShader<Rgb565>, GouraudShader<Rgb565>, GouraudColourShader<Rgb565>, GeneralShader<Rgb565>>, false,
     Visibility>;
-
-constexpr Capacity wall_capacity{
-    .band_lines = 240, .colour_bands = 1, .vertices = 4, .shades = 4, .textures = 4, .polygons = 2, .active = 2};
-
-/// The benchmark's wall.
-template <class Traits>
-Picture<Traits> wall(const Material& material, const FrameSettings& settings, int band_lines = 240) {
-  Capacity capacity = wall_capacity;
-  capacity.band_lines = static_cast<std::uint16_t>(band_lines);
-  Studio<Traits> studio(capacity);
-  studio.begin(settings);
-  studio.add(scenes::textured_wall::mesh, {}, material);
-  auto picture = studio.draw();
-  EXPECT_TRUE(studio.status().ok()) << to_string(studio.status().fault);
-  return picture;
-}
-/// Its distance along the axis of view at a column.
-double wall_distance(int x) { return 3 / (1 - (x + 0.5 - 160) / 320); }
-/// Texture coordinates there.
-std::array<double, 2> wall_point(int x, int y) {
-  const double z = wall_distance(x), s = (z - 2) / 4, ray_y = (120 - (y + 0.5)) / 320;
-  return {s, 0.5 - (1.0 / 6 + s / 3) * ray_y / 0.375};
-}
-
-/// A texture that owns its texels.
-struct OwnTexture {
-  std::vector<std::uint16_t> words, palette;
-  std::vector<std::uint8_t> bytes;
-  Texture texture;
-
-  OwnTexture(Random& random, TexelFormat format, unsigned log2_width, unsigned log2_height, bool mips = false) {
-    texture.format = format;
-    texture.log2_width = static_cast<std::uint8_t>(log2_width);
-    texture.log2_height = static_cast<std::uint8_t>(log2_height);
-    if (mips) texture.levels = static_cast<std::uint8_t>(std::max(log2_width, log2_height) + 1);
-    const std::size_t size = texture.offset_of(texture.levels);
-    if (texture.has_palette()) {
-      for (std::size_t i = 0; i < size; ++i) bytes.push_back(static_cast<std::uint8_t>(random.between(0, 255)));
-      for (int i = 0; i < (format == TexelFormat::palette16 ? 16 : 256); ++i)
-        palette.push_back(static_cast<std::uint16_t>(random.between(0, 65535)));
-    } else {
-      for (std::size_t i = 0; i < size; ++i) words.push_back(static_cast<std::uint16_t>(random.between(0, 65535)));
-    }
-    texture.words = words;
-    texture.bytes = bytes;
-    texture.palette = palette;
-    EXPECT_EQ(validate(texture), TextureFault::none);
-  }
-};
 
 constexpr std::array<TexelFormat, 5> formats{TexelFormat::rgb565, TexelFormat::rgb565_cutout, TexelFormat::argb4444,
                                              TexelFormat::palette16, TexelFormat::palette256};

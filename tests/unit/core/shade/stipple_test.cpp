@@ -50,6 +50,19 @@ TEST(Stipple, HigherLevelsKeepThePixelsOfLowerOnes) {
       }
 }
 
+TEST(Stipple, ThresholdsOfSinglePixelsAreThoseOfTheMasks) {
+  for (std::uint32_t surface = 0; surface < 9; ++surface)
+    for (std::uint32_t y = 0; y < 11; ++y)
+      for (std::uint32_t x = 64; x < 96; ++x) {
+        const std::uint32_t ordered = stipple::ordered_threshold(surface, x, y),
+                            random = stipple::random_threshold(surface, x, y, surface + 5);
+        for (std::uint32_t level = 0; level <= 64; ++level) {
+          ASSERT_EQ(stipple::ordered_mask(surface, level, y) >> (x & 31) & 1, ordered < level ? 1u : 0u);
+          ASSERT_EQ(stipple::random_mask(surface, level, 64, y, surface + 5) >> (x & 31) & 1, random < level ? 1u : 0u);
+        }
+      }
+}
+
 TEST(Stipple, WhatLiesBehindTwoLayersIsSeenInTheirProductsShare) {
   double worst = 0;
   for (std::uint32_t first = 0; first < patterns; ++first)

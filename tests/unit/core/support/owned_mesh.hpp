@@ -17,6 +17,7 @@ struct OwnedMesh {
   std::vector<PackedNormal> polygon_normals, vertex_normals;
   std::vector<Rgb888> polygon_colours, vertex_colours;
   std::vector<TextureCoordinate> texture_coordinates;
+  std::vector<std::uint8_t> vertex_opacities;
   std::int8_t texture_exponent = -14;
   Vec3<std::int32_t> offset{};
   std::int8_t step_exponent = -13;
@@ -33,6 +34,7 @@ struct OwnedMesh {
     mesh.polygon_colours = polygon_colours;
     mesh.vertex_colours = vertex_colours;
     mesh.texture_coordinates = texture_coordinates;
+    mesh.vertex_opacities = vertex_opacities;
     mesh.texture_exponent = texture_exponent;
     mesh.offset = offset;
     mesh.step_exponent = step_exponent;
