@@ -107,6 +107,36 @@ void wall(unsigned band) {
   });
 }
 
+/// S8: four walls of S6 one behind the other, the farthest first, under bilinear texels.
+template <class Visibility>
+void hidden_walls() {
+  namespace scene = scenes::textured_wall;
+  constexpr std::uint32_t walls = 4;
+  Material material = scene::material;
+  material.texturing.filter = TextureFilter::bilinear;
+  constexpr std::uint32_t corners = 4 * walls, triangles = 2 * walls;
+  measure<GeneralTraits<Rgb565, Depth16<>, false, Visibility>>(
+      "S8", {.instances = walls, .vertices = corners, .textures = corners, .polygons = triangles, .active = triangles},
+      16, [&](auto& renderer) {
+        (void)renderer.begin(scene::settings());
+        for (std::uint32_t i = 0; i < walls; ++i) {
+          // Scaled about the eye, a wall covers the same pixels.
+          Transform farther;
+          farther.scale = Fixed<24>::from_ratio(static_cast<std::int32_t>(8 - i), 4);
+          if (!renderer.add(scene::mesh, farther, material).ok()) board::write("bench: a pool is full\n");
+        }
+      });
+}
+
+/// Where an item buffer pays, and where it does not.
+void deferred() {
+  using Later = Deferred<64>;
+  hidden_walls<ZBuffer>();
+  hidden_walls<Later>();
+  wall<TextureTraits<Rgb565, Depth16<>, false, Later>>(16);
+  model<FlatTraits<Rgb565, Depth16<>, false, Later>>("S4", ShadingMode::flat, 16);
+}
+
 template <class Depth, class Visibility = ZBuffer>
 void all(unsigned band) {
   soups<Depth, Visibility>(band);
@@ -124,5 +154,6 @@ int main() {
   all<Depth24<>, Spanning>(1);
   all<Depth24<>, Spanning>(16);
   layers(16);
+  deferred();
   return 0;
 }

@@ -13,12 +13,17 @@ namespace spanline::measured {
 
 template <class Traits>
 constexpr bool is_spanning = std::is_same_v<typename Traits::Visibility, Spanning>;
+template <class Visibility>
+constexpr bool is_deferred = false;
+template <unsigned Kept>
+constexpr bool is_deferred<Deferred<Kept>> = true;
 
 /// The algorithm's name on the command line; `band` 0 is the whole picture.
 template <class Traits>
 constexpr const char* visibility_name(unsigned band) {
   if (is_spanning<Traits>) return "span";
   if (std::is_same_v<typename Traits::Visibility, BoundedZBuffer>) return "zbuffer+bounds";
+  if (is_deferred<typename Traits::Visibility>) return "deferred";
   return band == 0 ? "zbuffer" : "scanline-z";
 }
 

@@ -151,7 +151,8 @@ class Renderer {
              table_.polygon_count,
              first_id,
              geometry.placement() != Placement::inside,
-             Shaders::see_through && (holes || varies || is_see_through(material))};
+             Shaders::see_through && (holes || varies || is_see_through(material)),
+             holes};
     shading = {};
     shading.mesh = &mesh;
     shading.vertex_shades = store.shades.data();
@@ -176,8 +177,12 @@ class Renderer {
   /// Adds triangles that are on screen already: corners three by three (outcodes set where they leave the viewport),
   /// and a colour each in RGB565. Both tables must stay until `draw` has returned. For flat shading; of the material,
   /// opacity and transparency count. 32,767 triangles a call on 32-bit machines.
+  Status add_screen(std::span<const ScreenVertex> vertices, std::span<const std::uint16_t> colours) {
+    static constexpr Material opaque{};  // made once, not by each caller
+    return add_screen(vertices, colours, opaque);
+  }
   Status add_screen(std::span<const ScreenVertex> vertices, std::span<const std::uint16_t> colours,
-                    const Material& material = {}) {
+                    const Material& material) {
     if (!ready_) return status_.ok() ? Status{Fault::bad_settings, Pool::none, 0} : status_;
     if (vertices.size() / 3 >= fan_flag) return {Fault::too_many_triangles, Pool::none, 0};
     const std::uint8_t shader = shader_for<Traits>(material, {false, false, false});

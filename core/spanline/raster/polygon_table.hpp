@@ -33,6 +33,7 @@ struct PolygonGroup {
   std::uint32_t first_id = 0;              ///< id of its triangle 0
   bool scissored = false;                  ///< whether a polygon may leave the viewport
   bool see_through = false;                ///< whether what lies behind a polygon may show
+  bool has_holes = false;                  ///< cut out of its polygons by a texture
 };
 
 /// The polygon table PT with the starts of the edge table ET: the polygons of a frame in order of submission, and for

@@ -59,8 +59,8 @@ constexpr std::array<std::uint16_t, 256> straightening = [] {
   return table;
 }();
 
-/// Four texels by their distance in 256ths: column by column, then row by row. Where alpha tells what is there, colours weigh by it,
-/// or the colour of texels that are not there would show at the rim of those that are.
+/// Four texels by their distance in 256ths: column by column, then row by row. Where alpha tells what is there, colours
+/// weigh by it, or the colour of texels that are not there would show at the rim of those that are.
 Sample bilinear(const TexelSource& source, std::uint32_t u, std::uint32_t v, bool by_alpha) {
   constexpr std::int32_t half = 1 << 15;
   const std::int32_t x = (signed_word(u) >> source.level) - half, y = (signed_word(v) >> source.level) - half;

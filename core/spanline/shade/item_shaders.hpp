@@ -78,10 +78,13 @@ struct Joined<ShaderList<Items...>, First, Rest...>
     : Joined<ShaderList<Items..., ItemShaderWithHoles<First>>, Rest...> {};
 }  // namespace item_shaders
 
-/// The item shaders in the place of a list's own, by the same numbers.
+/// The item shaders in the place of a list's own, by the same numbers; and for groups without any hole, whatever their
+/// shader could draw.
 template <class... Shaders>
 struct ItemShaders : item_shaders::Joined<ShaderList<ItemShader>, Shaders...>::Type {
   using List = typename item_shaders::Joined<ShaderList<ItemShader>, Shaders...>::Type;
+
+  static constexpr std::uint8_t without_holes = sizeof...(Shaders);
 
   template <class F>
   [[gnu::always_inline]] static inline auto with(std::uint8_t shader, F&& f) {
@@ -93,7 +96,7 @@ struct ItemShaders : item_shaders::Joined<ShaderList<ItemShader>, Shaders...>::T
 
  private:
   static constexpr auto place = [] {
-    std::array<std::uint8_t, sizeof...(Shaders)> table{};
+    std::array<std::uint8_t, sizeof...(Shaders) + 1> table{};
     std::size_t i = 0;
     std::uint8_t with_holes = 0;
     ((table[i++] = item_shaders::HasHoles<Shaders> ? ++with_holes : std::uint8_t{0}), ...);

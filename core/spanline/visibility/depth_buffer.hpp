@@ -179,6 +179,13 @@ class DepthBuffer {
     const Target& target;
     Link group_end;  ///< number of the first polygon behind the group
 
+    /// Number of the group's shader.
+    [[nodiscard]] std::uint8_t shader() const {
+      if constexpr (requires { Shaders::without_holes; }) {
+        if (!group->has_holes) return Shaders::without_holes;
+      }
+      return shading->shader;
+    }
     /// Polygons come in order of submission, so groups do as well.
     void find_group(Link polygon) {
       while (polygon >= group_end) {
@@ -201,7 +208,7 @@ class DepthBuffer {
       if (row_at(std::max({p->y, q->y, r->y})) <= job.target.end_row) return;
     }
     Shaders::with(
-        job.shading->shader, [&]<class Shader>() __attribute__((always_inline)) {
+        job.shader(), [&]<class Shader>() __attribute__((always_inline)) {
           typename Shader::Surface surface;
           const auto [a, b, c] = corners.corner;
           if constexpr (SurfaceInBlocks<typename Shader::Surface>) {
@@ -267,7 +274,7 @@ class DepthBuffer {
   template <bool Drawn, class ShadingGroup>
   void go_on(Job<ShadingGroup>& job, Link*& link) {
     Entry& entry = pool_[*link];
-    const bool goes_on = Shaders::with(job.shading->shader, [&]<class Shader>() {
+    const bool goes_on = Shaders::with(job.shader(), [&]<class Shader>() {
       return pass_rows<Drawn, Shader>(entry.triangle, entry.surface.template as<typename Shader::Surface>(), job.target,
                                       [&] { return job.table.corners(*job.group, entry.polygon); });
     });
