@@ -10,6 +10,7 @@
 #include "convert/flash_mesh.hpp"
 #include "convert/header_writer.hpp"
 #include "convert/memory_report.hpp"
+#include "convert/parts_writer.hpp"
 #include "convert/texture_writer.hpp"
 #include "image/image_file.hpp"
 #include "import/model_file.hpp"
@@ -26,7 +27,10 @@ class ConvertCommand final : public Command {
     app.add_option("-o", output_, "the header")->type_name("mesh.hpp")->required();
     app.add_option("--name", name_, "name of the mesh or texture (by default the header's)")->type_name("NAME");
     app.add_flag("--textured", textured_, "keeps the model's texture coordinates");
-    app.add_option("--format", format_, "of texels: rgb565 (default), rgb565-cutout, argb4444, palette16, palette256")
+    app.add_flag("--materials", materials_, "a mesh, a material and its texture for each of the model's parts");
+    app.add_option(
+           "--format", format_,
+           "of texels: rgb565, rgb565-cutout, argb4444, palette16, palette256 (rgb565; with --materials by alpha)")
         ->type_name("NAME");
     app.add_flag("--mipmap", mip_map_, "with all smaller levels of the texture");
     app.add_flag("--resize", resize_, "makes the image's sides powers of two that a texture may have");
@@ -42,8 +46,9 @@ class ConvertCommand final : public Command {
     if (output_.empty()) throw UsageError("-o: the name is empty");
     if (same_file(output_, model_)) throw UsageError("-o names the model itself");
     if (is_image_name(model_)) return convert_image();
+    if (materials_) return convert_parts();
     if (format_ || mip_map_ || resize_ || wrap_)
-      throw UsageError("--format, --mipmap, --resize and --wrap go with an image");
+      throw UsageError("--format, --mipmap, --resize and --wrap go with an image or --materials");
     OutputFile file(output_);
     const Scene scene = load();
     const CoreMesh mesh = to_valid_mesh(scene);
@@ -60,9 +65,8 @@ class ConvertCommand final : public Command {
 
  private:
   void convert_image() const {
-    if (textured_) throw UsageError("--textured goes with a model");
-    TextureOptions options{.mip_map = mip_map_, .resize = resize_};
-    if (format_) options.format = find_texel_format("--format", *format_);
+    if (textured_ || materials_) throw UsageError("--textured and --materials go with a model");
+    const TextureOptions options = texture_options();
     const Wrap wrap = wrap_ ? parse_wrap("--wrap", *wrap_) : Wrap::repeat;
     OutputFile file(output_);
     TextureImage texture = read_texture(model_, options);
@@ -71,6 +75,33 @@ class ConvertCommand final : public Command {
                                     std::filesystem::path(model_).filename().string()));
     file.commit();
     std::fputs(texture_report(texture).c_str(), stdout);
+  }
+
+  void convert_parts() const {
+    const TextureOptions options = texture_options();
+    const std::optional<Wrap> wrap = wrap_ ? std::optional(parse_wrap("--wrap", *wrap_)) : std::nullopt;
+    OutputFile file(output_);
+    Scene scene = import_model(model_);
+    if (wrap)
+      for (Scene::Part& part : scene.parts) part.wrap_s = part.wrap_t = *wrap;
+    complete_vertex_normals(scene);
+    FlashParts parts;
+    try {
+      parts = cut_into_parts(scene, options, format_.has_value());
+    } catch (const Failure& failure) {
+      throw file_failure(model_, failure.what());
+    }
+    for (const CoreMesh& mesh : parts.meshes) check(mesh);
+    file.write(write_parts_header(parts, name_.value_or(identifier_from(output_)),
+                                  std::filesystem::path(model_).filename().string()));
+    file.commit();
+    std::fputs(parts_report(parts, measure_need(welded(scene))).c_str(), stdout);
+  }
+
+  [[nodiscard]] TextureOptions texture_options() const {
+    TextureOptions options{.mip_map = mip_map_, .resize = resize_};
+    if (format_) options.format = find_texel_format("--format", *format_);
+    return options;
   }
 
   [[nodiscard]] Scene load() const {
@@ -91,16 +122,20 @@ class ConvertCommand final : public Command {
     } catch (const Failure& failure) {
       throw file_failure(model_, failure.what());
     }
+    check(mesh);
+    return mesh;
+  }
+
+  void check(const CoreMesh& mesh) const {
     const MeshReport report = validate(mesh.view());
     if (!report.ok())
       throw file_failure(
           model_, std::string("makes no valid mesh: ") + to_string(report.fault) + " at " + std::to_string(report.at));
-    return mesh;
   }
 
   std::string model_, output_;
   std::optional<std::string> name_, simplify_, format_, wrap_;
-  bool bsp_ = false, textured_ = false, mip_map_ = false, resize_ = false;
+  bool bsp_ = false, textured_ = false, materials_ = false, mip_map_ = false, resize_ = false;
 };
 
 }  // namespace

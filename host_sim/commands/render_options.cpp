@@ -66,10 +66,13 @@ void add_drawing_options(CLI::App& command, RenderTexts& texts) {
   command.add_option("--pick", texts.pick, "prints the triangle at a pixel, numbered from 1, and its depth")
       ->type_name("X,Y")
       ->group(group);
-  command.add_option("--texture", texts.texture, "PNG or JPEG for --shade texture")->type_name("FILE")->group(group);
+  command.add_option("--texture", texts.texture, "PNG or JPEG for what has no texture of its own")
+      ->type_name("FILE")
+      ->group(group);
   command.add_option("--filter", texts.filter, "of the texture (nearest)")->type_name("nearest|bilinear")->group(group);
-  command.add_flag("--mipmap", texts.mipmap, "the texture has smaller levels for what is far")->group(group);
-  command.add_option("--wrap", texts.wrap, "beyond the texture's edge (repeat)")
+  command.add_flag("--mipmap", texts.mipmap, "textures have smaller levels for what is far")->group(group);
+  command.add_flag("--resize", texts.resize, "makes sides of textures powers of two that they may have")->group(group);
+  command.add_option("--wrap", texts.wrap, "beyond the texture's edge (by the model, or repeat)")
       ->type_name("repeat|clamp")
       ->group(group);
   command.add_option("--fog", texts.fog, "from clear at NEAR to the colour alone at FAR, in world units")
@@ -149,13 +152,13 @@ ViewRequest parse_view(const RenderTexts& texts) {
 }
 
 void parse_texturing(const RenderTexts& texts, RenderArguments& arguments) {
-  if ((texts.filter || texts.mipmap || texts.wrap) && !arguments.texture)
-    throw UsageError("--filter, --mipmap and --wrap want a texture (--texture FILE)");
   if (texts.filter)
     arguments.filter = parse_choice(
         "--filter", *texts.filter,
         std::array{std::pair{"nearest", TextureFilter::nearest}, std::pair{"bilinear", TextureFilter::bilinear}});
+  arguments.for_textures = texts.filter || texts.mipmap || texts.resize || texts.wrap;
   arguments.mip_map = texts.mipmap;
+  arguments.resize = texts.resize;
   if (texts.wrap)
     arguments.wrap = parse_choice("--wrap", *texts.wrap,
                                   std::array{std::pair{"repeat", Wrap::repeat}, std::pair{"clamp", Wrap::clamp}});
@@ -170,8 +173,6 @@ void parse_drawing(const RenderTexts& texts, RenderArguments& arguments) {
   if (texts.shade) arguments.shading = &find_shading(*texts.shade);
   arguments.texture = texts.texture;
   if (arguments.shading == nullptr && arguments.texture) arguments.shading = &find_shading("texture");
-  if (arguments.shading != nullptr && arguments.shading->textured && !arguments.texture)
-    throw UsageError("--shade texture: wants a texture (--texture FILE)");
   parse_texturing(texts, arguments);
   if (texts.depth)
     arguments.depth_bits = parse_choice("--depth", *texts.depth, std::array{std::pair{"16", 16}, std::pair{"24", 24}});

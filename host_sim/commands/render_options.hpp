@@ -22,7 +22,7 @@ struct RenderTexts {
   Text depth_output, ids_output, statistics_output, turntable;
   // Options of the command line that later versions fill.
   Text structure, pick, texture, filter, wrap, opacity, transparency, samples, fog;
-  bool wireframe = false, mipmap = false, dither = false;
+  bool wireframe = false, mipmap = false, resize = false, dither = false;
 };
 
 /// Declares the options of `render`.

@@ -91,14 +91,13 @@ void append_mesh(std::string& text, const CoreMesh& mesh, const std::string& nam
           ", .radius = " + std::to_string(mesh.bounds.radius) + "},\n};\n";
 }
 
-/// What a comment can hold without ending its line or going on to the next.
+}  // namespace
+
 std::string comment_safe(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == '\\' || c == 127; }, '?');
   return text;
 }
-
-}  // namespace
 
 std::vector<TableSize> table_sizes(const CoreMesh& mesh) {
   std::vector<TableSize> sizes;
@@ -120,11 +119,16 @@ std::string write_header(const CoreMesh& mesh, const std::string& name, const st
   std::string text = "// Made by `spanline convert` from " + comment_safe(source) + ": " +
                      std::to_string(mesh.vertices.size()) + " vertices, " + std::to_string(mesh.indices.size() / 3) +
                      " triangles.\n#pragma once\n#include <spanline/model/mesh.hpp>\n\nnamespace spanline_models {\n\n";
-  text += "namespace " + name + "_tables {\n";
+  text += mesh_definition(mesh, name);
+  text += "\n}  // namespace spanline_models\n";
+  return text;
+}
+
+std::string mesh_definition(const CoreMesh& mesh, const std::string& name) {
+  std::string text = "namespace " + name + "_tables {\n";
   append_tables(text, mesh);
   text += "}  // namespace " + name + "_tables\n\n";
   append_mesh(text, mesh, name);
-  text += "\n}  // namespace spanline_models\n";
   return text;
 }
 

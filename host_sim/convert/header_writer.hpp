@@ -19,6 +19,12 @@ struct TableSize {
 /// `source` stands in its first comment.
 [[nodiscard]] std::string write_header(const CoreMesh& mesh, const std::string& name, const std::string& source);
 
+/// Its tables in a namespace NAME_tables, and the object NAME.
+[[nodiscard]] std::string mesh_definition(const CoreMesh& mesh, const std::string& name);
+
+/// What a comment can hold without ending its line or going on to the next.
+[[nodiscard]] std::string comment_safe(std::string text);
+
 /// True for a name that C++ takes for an object of the user's.
 [[nodiscard]] bool is_identifier(const std::string& name);
 

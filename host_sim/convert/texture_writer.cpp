@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/failure.hpp"
+#include "convert/header_writer.hpp"
 
 namespace spanline::sim {
 namespace {
@@ -38,13 +39,6 @@ void append_table(std::string& text, const char* type, const char* name, const T
 
 const char* wrap_text(Wrap wrap) { return wrap == Wrap::clamp ? "clamp" : "repeat"; }
 
-/// What a comment can hold without ending its line or going on to the next.
-std::string comment_safe(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == '\\' || c == 127; }, '?');
-  return text;
-}
-
 std::string line(const char* memory, const std::string& what, std::size_t bytes) {
   std::array<char, 160> buffer{};
   std::snprintf(buffer.data(), buffer.size(), "%-5s  %-44s %9zu bytes\n", memory, what.c_str(), bytes);
@@ -77,7 +71,12 @@ std::string write_texture_header(const TextureImage& texture, const std::string&
                      to_string(shape.format) + ", " + std::to_string(shape.levels) +
                      (shape.levels == 1 ? " level" : " levels") +
                      ".\n#pragma once\n#include <spanline/model/texture.hpp>\n\nnamespace spanline_textures {\n\n";
-  text += "namespace " + name + "_tables {\n";
+  return text + texture_definition(texture, name) + "\n}  // namespace spanline_textures\n";
+}
+
+std::string texture_definition(const TextureImage& texture, const std::string& name) {
+  const Texture& shape = texture.shape;
+  std::string text = "namespace " + name + "_tables {\n";
   append_table(text, "std::uint16_t", "words", texture.words);
   append_table(text, "std::uint8_t", "bytes", texture.bytes);
   append_table(text, "std::uint16_t", "palette", texture.palette);
@@ -94,7 +93,7 @@ std::string write_texture_header(const TextureImage& texture, const std::string&
   table("words", !texture.words.empty());
   table("bytes", !texture.bytes.empty());
   table("palette", !texture.palette.empty());
-  return text + "};\n\n}  // namespace spanline_textures\n";
+  return text + "};\n";
 }
 
 std::string texture_report(const TextureImage& texture) {

@@ -18,6 +18,9 @@ namespace spanline::sim {
 [[nodiscard]] std::string write_texture_header(const TextureImage& texture, const std::string& name,
                                                const std::string& source);
 
+/// Its tables in a namespace NAME_tables, and the object NAME.
+[[nodiscard]] std::string texture_definition(const TextureImage& texture, const std::string& name);
+
 /// The tables' bytes in flash, line by line, and their sum; and the RAM, of which a texture takes none.
 [[nodiscard]] std::string texture_report(const TextureImage& texture);
 

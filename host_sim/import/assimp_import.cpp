@@ -55,7 +55,7 @@ Scene read_with_assimp(const std::string& path, ModelFormat format, const std::s
   if (scene == nullptr || (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE) != 0 || scene->mRootNode == nullptr)
     throw std::runtime_error("cannot be read: " + first_line(importer.GetErrorString()));
   // The normals of an STL file belong to its triangles; as normals of vertices they would only be flat.
-  return build_scene(*scene, format != ModelFormat::stl);
+  return build_scene(*scene, path, format != ModelFormat::stl);
 }
 
 }  // namespace spanline::sim

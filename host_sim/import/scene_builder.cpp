@@ -1,14 +1,13 @@
 #include "import/scene_builder.hpp"
 
-#include <assimp/material.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <stdexcept>
-#include <string_view>
 #include <vector>
+
+#include "import/materials.hpp"
 
 namespace spanline::sim {
 namespace {
@@ -24,65 +23,8 @@ Affine to_affine(const aiMatrix4x4& m) {
   return {{row(m.a1, m.a2, m.a3), row(m.b1, m.b2, m.b3), row(m.c1, m.c2, m.c3)}, row(m.a4, m.b4, m.c4)};
 }
 
-/// Linear in 0 … 1; whatever lies outside, or is no number, is clamped.
-std::uint8_t to_byte(double value) {
-  return static_cast<std::uint8_t>(value > 0 ? std::min(value, 1.0) * 255 + 0.5 : 0);
-}
-
-struct ColourFactor {
-  double red = 1, green = 1, blue = 1;
-  [[nodiscard]] Rgb888 rounded() const { return {to_byte(red), to_byte(green), to_byte(blue)}; }
-  friend ColourFactor operator*(ColourFactor a, ColourFactor b) {
-    return {a.red * b.red, a.green * b.green, a.blue * b.blue};
-  }
-};
-
 ColourFactor to_factor(const aiColor4D& c) {
   return {static_cast<double>(c.r), static_cast<double>(c.g), static_cast<double>(c.b)};
-}
-
-/// Importers make a material up where a file has none: without a name or with the default one, white or 0.6 grey.
-bool made_up(const aiMaterial& material, const aiColor4D& colour) {
-  aiString name;
-  const bool named = material.Get(AI_MATKEY_NAME, name) == aiReturn_SUCCESS;
-  if (named && std::string_view(name.C_Str()) != AI_DEFAULT_MATERIAL_NAME) return false;
-  return colour.r == colour.g && colour.g == colour.b && (colour.r == ai_real(1) || colour.r == ai_real(0.6));
-}
-
-/// The diffuse colour of a material that is the file's own.
-std::optional<ColourFactor> material_colour(const aiScene& file, unsigned index) {
-  if (index >= file.mNumMaterials) return std::nullopt;
-  const aiMaterial& material = *file.mMaterials[index];
-  aiColor4D colour;
-  if (material.Get(AI_MATKEY_COLOR_DIFFUSE, colour) != aiReturn_SUCCESS || made_up(material, colour))
-    return std::nullopt;
-  return to_factor(colour);
-}
-
-/// glTF's alphaMode (glTF 2.0, 3.9.4, "Alpha Coverage"); formats without one take alpha as it is.
-enum class AlphaMode : std::uint8_t { opaque, mask, blend };
-
-AlphaMode alpha_mode(const aiScene& file, unsigned index) {
-  aiString mode;
-  if (index >= file.mNumMaterials || file.mMaterials[index]->Get("$mat.gltf.alphaMode", 0, 0, mode) != aiReturn_SUCCESS)
-    return AlphaMode::blend;
-  if (std::string_view(mode.C_Str()) == "BLEND") return AlphaMode::blend;
-  return std::string_view(mode.C_Str()) == "MASK" ? AlphaMode::mask : AlphaMode::opaque;
-}
-
-/// What of a material is seen: its opacity, unless its alphaMode says otherwise.
-std::uint32_t material_opacity(const aiScene& file, unsigned index) {
-  constexpr std::uint32_t opaque = 255;
-  if (index >= file.mNumMaterials) return opaque;
-  const aiMaterial& material = *file.mMaterials[index];
-  ai_real opacity = 1;
-  if (material.Get(AI_MATKEY_OPACITY, opacity) != aiReturn_SUCCESS) return opaque;
-  const AlphaMode mode = alpha_mode(file, index);
-  if (mode == AlphaMode::blend) return to_byte(static_cast<double>(opacity));
-  if (mode == AlphaMode::opaque) return opaque;
-  ai_real cutoff = ai_real(0.5);
-  if (material.Get("$mat.gltf.alphaCutoff", 0, 0, cutoff) != aiReturn_SUCCESS) cutoff = ai_real(0.5);
-  return opacity < cutoff ? 0 : opaque;
 }
 
 /// The sum of the fan's cross products is Newell's normal (Sutherland, Sproull, Schumacker 1974): it holds for polygons
@@ -96,14 +38,17 @@ Vector3 newell_normal(const std::vector<Vector3>& corners) {
 
 class SceneBuilder {
  public:
-  SceneBuilder(const aiScene& file, bool keep_normals) : file_(file), keep_normals_(keep_normals) {
+  SceneBuilder(const aiScene& file, const std::string& path, bool keep_normals)
+      : file_(file), keep_normals_(keep_normals) {
+    for (unsigned i = 0; i < file.mNumMaterials; ++i) materials_.push_back(read_material(file, i, path));
     for (unsigned i = 0; i < file.mNumMeshes; ++i) {
       const aiMesh& mesh = *file.mMeshes[i];
+      const FileMaterial& material = material_of(mesh);
       any_normals_ = any_normals_ || (keep_normals && mesh.HasNormals());
       any_vertex_colours_ = any_vertex_colours_ || mesh.HasVertexColors(0);
       any_vertex_opacities_ = any_vertex_opacities_ || has_opacities(mesh);
-      any_texture_points_ = any_texture_points_ || mesh.HasTextureCoords(0);
-      any_materials_ = any_materials_ || material_colour(file, mesh.mMaterialIndex).has_value();
+      any_texture_points_ = any_texture_points_ || mesh.HasTextureCoords(material.texture_points);
+      any_materials_ = any_materials_ || material.colour.has_value();
     }
   }
 
@@ -136,22 +81,46 @@ class SceneBuilder {
     first_vertex_ = scene_.positions.size();
     if (first_vertex_ + mesh.mNumVertices > std::numeric_limits<std::uint32_t>::max())
       throw std::runtime_error("has too many vertices");
-    const std::optional<ColourFactor> colour = material_colour(file_, mesh.mMaterialIndex);
-    add_vertices(mesh, world, colour.value_or(ColourFactor{}));
+    const FileMaterial& material = material_of(mesh);
+    const ColourFactor colour = material.colour.value_or(ColourFactor{});
+    add_vertices(mesh, world, material, colour);
     const bool mirrored = world.determinant() < 0;
-    scene_.parts.push_back(
-        {static_cast<std::uint32_t>(scene_.triangles.size()), material_opacity(file_, mesh.mMaterialIndex)});
+    add_part(mesh, material, colour);
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) add_polygon(mesh, mesh.mFaces[i], mirrored);
-    if (any_materials_)
-      scene_.polygon_colours.resize(scene_.triangles.size(), colour.value_or(ColourFactor{}).rounded());
+    if (any_materials_) scene_.polygon_colours.resize(scene_.triangles.size(), colour.rounded());
   }
 
-  void add_vertices(const aiMesh& mesh, const Affine& world, ColourFactor colour) {
+  void add_part(const aiMesh& mesh, const FileMaterial& material, ColourFactor colour) {
+    Scene::Part part;
+    part.first = static_cast<std::uint32_t>(scene_.triangles.size());
+    part.opacity = material.opacity;
+    part.colour = colour.rounded();
+    part.alpha = material.alpha;
+    part.cut_off = material.cut_off;
+    part.wrap_s = material.wrap_s;
+    part.wrap_t = material.wrap_t;
+    if (material.image && mesh.HasTextureCoords(material.texture_points)) part.image = number_of(*material.image);
+    scene_.parts.push_back(part);
+  }
+
+  std::uint32_t number_of(const SceneImage& image) {
+    const auto found = std::find(scene_.images.begin(), scene_.images.end(), image);
+    const auto number = static_cast<std::uint32_t>(found - scene_.images.begin());
+    if (found == scene_.images.end()) scene_.images.push_back(image);
+    return number;
+  }
+
+  [[nodiscard]] const FileMaterial& material_of(const aiMesh& mesh) const {
+    static const FileMaterial none;
+    return mesh.mMaterialIndex < materials_.size() ? materials_[mesh.mMaterialIndex] : none;
+  }
+
+  void add_vertices(const aiMesh& mesh, const Affine& world, const FileMaterial& material, ColourFactor colour) {
     for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
       const Vector3 position = world.point(to_vector(mesh.mVertices[i]));
       if (!finite(position)) throw std::runtime_error("has a coordinate that is not a finite number");
       scene_.positions.push_back(position);
-      if (any_texture_points_) scene_.texture_points.push_back(texture_point(mesh, i));
+      if (any_texture_points_) scene_.texture_points.push_back(texture_point(mesh, material.texture_points, i));
       if (any_normals_) scene_.vertex_normals.push_back(vertex_normal(mesh, i, world));
       if (any_vertex_opacities_)
         scene_.vertex_opacities.push_back(has_opacities(mesh) ? to_byte(static_cast<double>(mesh.mColors[0][i].a))
@@ -164,7 +133,8 @@ class SceneBuilder {
 
   /// Whether any vertex is not opaque, and the material honours that.
   [[nodiscard]] bool has_opacities(const aiMesh& mesh) const {
-    if (!mesh.HasVertexColors(0) || alpha_mode(file_, mesh.mMaterialIndex) != AlphaMode::blend) return false;
+    const AlphaUse alpha = material_of(mesh).alpha;
+    if (!mesh.HasVertexColors(0) || alpha == AlphaUse::opaque || alpha == AlphaUse::cut_out) return false;
     return std::any_of(mesh.mColors[0], mesh.mColors[0] + mesh.mNumVertices,
                        [](const aiColor4D& colour) { return colour.a < ai_real(1); });
   }
@@ -177,9 +147,9 @@ class SceneBuilder {
   }
 
   /// Assimp's t counts upwards.
-  static TexturePoint texture_point(const aiMesh& mesh, unsigned vertex) {
-    if (!mesh.HasTextureCoords(0)) return {};
-    const Vector3 point = to_vector(mesh.mTextureCoords[0][vertex]);
+  static TexturePoint texture_point(const aiMesh& mesh, unsigned set, unsigned vertex) {
+    if (!mesh.HasTextureCoords(set)) return {};
+    const Vector3 point = to_vector(mesh.mTextureCoords[set][vertex]);
     if (!finite(point)) throw std::runtime_error("has a texture coordinate that is not a finite number");
     return {point.x, 1 - point.y};
   }
@@ -203,6 +173,7 @@ class SceneBuilder {
   }
 
   const aiScene& file_;
+  std::vector<FileMaterial> materials_;
   bool keep_normals_;
   bool any_normals_ = false;
   bool any_vertex_colours_ = false;
@@ -215,6 +186,8 @@ class SceneBuilder {
 
 }  // namespace
 
-Scene build_scene(const aiScene& file, bool keep_normals) { return SceneBuilder(file, keep_normals).build(); }
+Scene build_scene(const aiScene& file, const std::string& path, bool keep_normals) {
+  return SceneBuilder(file, path, keep_normals).build();
+}
 
 }  // namespace spanline::sim

@@ -1,4 +1,6 @@
 #pragma once
+#include <string>
+
 #include "scene/scene.hpp"
 
 struct aiScene;
@@ -7,7 +9,8 @@ namespace spanline::sim {
 
 /// All meshes of all nodes, in the order of the nodes, with the nodes' transforms applied. Polygons become fans; points
 /// and lines are dropped; nodes that mirror turn their triangles over. Throws std::runtime_error for numbers that are
-/// not finite, indices out of range and scenes without a triangle.
-[[nodiscard]] Scene build_scene(const aiScene& file, bool keep_normals);
+/// not finite, indices out of range and scenes without a triangle. Images that materials name count from the folder of
+/// `path`, and are not read.
+[[nodiscard]] Scene build_scene(const aiScene& file, const std::string& path, bool keep_normals);
 
 }  // namespace spanline::sim

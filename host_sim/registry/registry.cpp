@@ -17,7 +17,7 @@ constexpr auto visibility_table =
 constexpr std::array<ShadingEntry, 4> shading_table{{
     {"flat", "one brightness a polygon", false, true, false},
     {"gouraud", "brightness interpolated between the vertices", true, true, false},
-    {"texture", "a texture under brightness interpolated between the vertices", true, true, true},
+    {"texture", "textures under brightness interpolated between the vertices", true, true, true},
     {"unlit", "colours as they are, without light", true, false, false},
 }};
 

@@ -22,7 +22,7 @@ struct ShadingEntry {
   const char* description;
   bool smooth;    ///< interpolates light and colour between vertices
   bool lit;       ///< by lights; otherwise fully bright
-  bool textured;  ///< by the texture that --texture names, under white light
+  bool textured;  ///< by the model's textures, or the one that --texture names
 };
 
 /// A line of `spanline list`.

@@ -157,18 +157,23 @@ class FrameDrawing {
     for (const CoreMesh& mesh : meshes) {
       triangles_ += mesh.indices.size() / 3;
       meshes_.push_back(mesh.view());
-      see_through_ = see_through_ || mesh.opacity < 255 || !mesh.vertex_opacities.empty();
+      const FrameTexture texture = texture_of(mesh);
+      see_through_ = see_through_ || mesh.opacity < 255 || !mesh.vertex_opacities.empty() ||
+                     (texture.texture != nullptr && texture.texture->has_alpha());
     }
     const CoreMesh& first = meshes.front();
     // Without normals every vertex is fully lit: only colours of vertices call for interpolation then.
     const bool smooth = request.smooth && !(first.vertex_normals.empty() && first.vertex_colours.empty());
-    Material material{first.colour, smooth ? ShadingMode::gouraud : ShadingMode::flat};
-    material.texturing.texture = request.texture;
+    Material material{.shading = smooth ? ShadingMode::gouraud : ShadingMode::flat};
     material.texturing.filter = request.filter;
     if (request.mip_map) material.texturing.mip_mapping = MipMapping::span;
     material.transparency = request.transparency;
     for (const CoreMesh& mesh : meshes) {
+      const FrameTexture texture = texture_of(mesh);
+      material.colour = mesh.colour;
       material.opacity = mesh.opacity;
+      material.texturing.texture = texture.texture;
+      material.texturing.alpha = texture.alpha;
       materials_.push_back(material);
     }
   }
@@ -195,6 +200,10 @@ class FrameDrawing {
   }
 
  private:
+  [[nodiscard]] FrameTexture texture_of(const CoreMesh& mesh) const {
+    return mesh.part < request_.textures.size() ? request_.textures[mesh.part] : FrameTexture{};
+  }
+
   void set_up(const std::vector<DirectionalLight>& lights) {
     settings_.camera = request_.camera;
     settings_.lighting = {to_fixed<Fixed<16>>(request_.light.ambient), lights};
@@ -300,7 +309,7 @@ Result FrameRenderer::with_drawing(const FrameRequest& request, F f) {
   capacity_.height = static_cast<std::uint16_t>(request.size.height);
   capacity_.band_lines = static_cast<std::uint16_t>(request.band_lines);
   capacity_.colour_bands = 1;
-  if (request.texture != nullptr) capacity_.textures = std::max(capacity_.textures, capacity_.vertices);
+  if (!request.textures.empty()) capacity_.textures = std::max(capacity_.textures, capacity_.vertices);
   const bool with_opacities =
       std::any_of(meshes_.begin(), meshes_.end(), [](const CoreMesh& mesh) { return !mesh.vertex_opacities.empty(); });
   if (request.smooth || with_opacities) capacity_.shades = std::max(capacity_.shades, capacity_.vertices);

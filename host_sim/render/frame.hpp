@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,12 @@
 
 namespace spanline::sim {
 
+/// The texture of a part of the scene; stays until the frame is drawn.
+struct FrameTexture {
+  const Texture* texture = nullptr;
+  TexelAlpha alpha = TexelAlpha::cut_out;
+};
+
 /// A frame to draw: all that the core needs to know, in its own terms.
 struct FrameRequest {
   Size size;
@@ -22,8 +29,8 @@ struct FrameRequest {
   int depth_bits = 16;
   DepthSense depth_sense = DepthSense::smaller_is_nearer;
   Cull cull = Cull::back;
-  bool smooth = false;               ///< Gouraud
-  const Texture* texture = nullptr;  ///< on meshes with texture coordinates; stays until the frame is drawn
+  bool smooth = false;                       ///< Gouraud
+  std::span<const FrameTexture> textures{};  ///< by a mesh's part; empty: none
   TextureFilter filter = TextureFilter::nearest;
   bool mip_map = false;  ///< a level for each 16 columns of a line
   Fog fog;

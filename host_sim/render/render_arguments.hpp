@@ -19,10 +19,11 @@ struct RenderArguments {
   ViewRequest view;
   const VisibilityEntry* visibility = nullptr;
   const ShadingEntry* shading = nullptr;  ///< nullptr: by what the model has
-  std::optional<std::string> texture;     ///< a file; used where the shading is textured
+  std::optional<std::string> texture;     ///< a file, for what has no texture of its own
   TextureFilter filter = TextureFilter::nearest;
-  bool mip_map = false, dither = false;
-  Wrap wrap = Wrap::repeat;
+  bool for_textures = false;  ///< any of the options that go with textures is given
+  bool mip_map = false, resize = false, dither = false;
+  std::optional<Wrap> wrap;  ///< by what the model says where it is not given
   std::optional<FogRequest> fog;
   std::optional<int> depth_bits;  ///< by the algorithm where it is not given
   DepthSense depth_sense = DepthSense::smaller_is_nearer;

@@ -6,15 +6,14 @@
 namespace spanline::sim {
 
 const ShadingEntry& default_shading(const Scene& scene) {
+  if (is_textured(scene)) return find_shading("texture");
   return find_shading(scene.normals_from_file ? "gouraud" : "flat");
 }
 
 Scene prepared_for(Scene scene, const ShadingEntry& shading) {
   if (shading.textured) {
-    // Colours give way to the texture.
-    scene.vertex_colours.clear();
+    // Colours of materials are those of the parts, which textures are multiplied with.
     scene.polygon_colours.clear();
-    scene.colour = {255, 255, 255};
   } else {
     scene.texture_points.clear();
   }

@@ -10,12 +10,10 @@ namespace spanline::sim {
 
 Studio::Studio(const RenderArguments& arguments) : arguments_(arguments), scene_(import_model(arguments.model)) {
   shading_ = arguments.shading != nullptr ? arguments.shading : &default_shading(scene_);
-  if (shading_->textured) {
-    if (scene_.texture_points.empty()) throw file_failure(arguments.model, "has no texture coordinates");
-    image_ = read_texture(*arguments.texture, {.mip_map = arguments.mip_map});
-    image_.shape.wrap_s = image_.shape.wrap_t = arguments.wrap;
-    texture_ = image_.view();
-  }
+  if (shading_->textured)
+    read_textures();
+  else if (arguments.for_textures)
+    throw UsageError("--filter, --mipmap, --resize and --wrap want a texture: one of the model's, or --texture FILE");
   fade(scene_, arguments.opacity);
   scene_ = prepared_for(std::move(scene_), *shading_);
   view_ = resolve_view(arguments.view, scene_, arguments.size, arguments.turntable_frames > 0);
@@ -23,6 +21,15 @@ Studio::Studio(const RenderArguments& arguments) : arguments_(arguments), scene_
   world_ = choose_world(view_, scene_, arguments.size);
   renderer_.emplace(to_core_meshes(scene_, world_));
   if (arguments.panel != nullptr) panel_.emplace(*arguments.panel);
+}
+
+void Studio::read_textures() {
+  if (scene_.texture_points.empty()) throw file_failure(arguments_.model, "has no texture coordinates");
+  if (arguments_.texture) use_texture(scene_, *arguments_.texture);
+  if (!is_textured(scene_)) throw UsageError("--shade texture: the model has no texture of its own (--texture FILE)");
+  if (arguments_.wrap)
+    for (Scene::Part& part : scene_.parts) part.wrap_s = part.wrap_t = *arguments_.wrap;
+  textures_ = PartTextures(scene_, {.mip_map = arguments_.mip_map, .resize = arguments_.resize});
 }
 
 Frame Studio::draw(double turns) {
@@ -37,7 +44,7 @@ PickedPixel Studio::pick(int x, int y) { return renderer_->pick(request(view_, l
 
 FrameRequest Studio::request(const View& view, const SceneLight& light) const {
   FrameRequest request = make_request(arguments_, *shading_, view, world_, light);
-  if (shading_->textured) request.texture = &texture_;
+  request.textures = textures_.of_part();
   return request;
 }
 

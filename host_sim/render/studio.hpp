@@ -1,9 +1,9 @@
 #pragma once
 #include <optional>
 
-#include "image/texture_image.hpp"
 #include "render/frame.hpp"
 #include "render/panel_picture.hpp"
+#include "render/part_textures.hpp"
 #include "render/render_arguments.hpp"
 
 namespace spanline::sim {
@@ -11,7 +11,7 @@ namespace spanline::sim {
 /// A model made ready to be drawn from one camera, or from one that turns about it.
 class Studio {
  public:
-  /// Reads the model and its texture. `arguments` outlives the studio.
+  /// Reads the model and its textures. `arguments` outlives the studio.
   explicit Studio(const RenderArguments& arguments);
 
   /// The frame after the model has turned by `turns` of a full circle; 0 is the view as it was asked for.
@@ -24,6 +24,7 @@ class Studio {
   [[nodiscard]] Picture picture(const Frame& frame);
 
  private:
+  void read_textures();
   [[nodiscard]] FrameRequest request(const View& view, const SceneLight& light) const;
 
   const RenderArguments& arguments_;
@@ -34,8 +35,7 @@ class Studio {
   World world_;
   std::optional<FrameRenderer> renderer_;
   std::optional<DeskPanel> panel_;
-  TextureImage image_;
-  Texture texture_;
+  PartTextures textures_;
 };
 
 }  // namespace spanline::sim

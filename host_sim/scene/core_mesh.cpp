@@ -22,12 +22,12 @@ class MeshCutter {
   }
 
   std::vector<CoreMesh> cut() {
-    const bool by_parts = is_see_through(scene_);
+    const bool by_parts = is_see_through(scene_) || textured();
     auto part = scene_.parts.begin();
     for (std::size_t i = 0; i < scene_.triangles.size(); ++i) {
       const bool part_begins = by_parts && part != scene_.parts.end() && part->first == i;
       if ((part_begins && i != 0) || !fits(scene_.triangles[i])) finish_mesh();
-      if (part_begins) opacity_ = static_cast<std::uint8_t>((part++)->opacity);
+      if (part_begins) part_ = static_cast<std::size_t>(part++ - scene_.parts.begin());
       add_triangle(i);
     }
     finish_mesh();
@@ -37,6 +37,8 @@ class MeshCutter {
   }
 
  private:
+  [[nodiscard]] bool textured() const { return !scene_.texture_points.empty(); }
+
   [[nodiscard]] bool fits(const Scene::Triangle& triangle) const {
     const auto fresh = static_cast<std::size_t>(
         std::count_if(triangle.begin(), triangle.end(), [&](std::uint32_t v) { return local_[v] == no_vertex; }));
@@ -75,7 +77,12 @@ class MeshCutter {
     mesh_.step_exponent = wide_step_exponent;
     mesh_.texture_exponent = texture_exponent_;
     mesh_.colour = scene_.colour;
-    mesh_.opacity = opacity_;
+    mesh_.part = part_;
+    if (!scene_.parts.empty()) {
+      const Scene::Part& part = scene_.parts[part_];
+      mesh_.opacity = static_cast<std::uint8_t>(part.opacity);
+      if (textured()) mesh_.colour = part.colour;
+    }
     meshes_.push_back(std::move(mesh_));
     mesh_ = {};
     used_.clear();
@@ -87,7 +94,7 @@ class MeshCutter {
   std::vector<CoreMesh> meshes_;
   CoreMesh mesh_;
   std::vector<std::uint32_t> local_;        ///< number within the mesh of each of the scene's vertices
-  std::uint8_t opacity_ = 255;              ///< of the part
+  std::size_t part_ = 0;                    ///< of the scene
   std::vector<std::uint32_t> used_;         ///< vertices of the mesh
   std::vector<Vec3<std::int64_t>> points_;  ///< of all meshes
 };

@@ -19,6 +19,7 @@ struct CoreMesh {
   int texture_exponent = -14;
   Rgb888 colour{};  ///< for the material, where there are no tables of colours
   std::uint8_t opacity = 255;
+  std::size_t part = 0;  ///< of the scene
   Vec3<std::int32_t> offset{};
   int step_exponent = 0;
   BoundingSphere bounds{};

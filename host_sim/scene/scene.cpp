@@ -44,6 +44,12 @@ bool is_see_through(const Scene& scene) {
                                                         [](const Scene::Part& part) { return part.opacity < 255; });
 }
 
+bool is_textured(const Scene& scene) {
+  return !scene.texture_points.empty() && std::any_of(scene.parts.begin(), scene.parts.end(), [](const Scene::Part& p) {
+    return p.image != Scene::Part::no_image;
+  });
+}
+
 void fade(Scene& scene, double opacity) {
   if (scene.parts.empty()) scene.parts.emplace_back();
   for (Scene::Part& part : scene.parts) part.opacity = static_cast<std::uint32_t>(part.opacity * opacity + 0.5);
@@ -67,6 +73,7 @@ Scene welded(const Scene& scene) {
   result.polygon_normals = scene.polygon_normals;
   result.polygon_colours = scene.polygon_colours;
   result.parts = scene.parts;
+  result.images = scene.images;
   result.colour = scene.colour;
   result.normals_from_file = scene.normals_from_file;
   result.triangles.reserve(scene.triangles.size());

@@ -1,10 +1,14 @@
 #pragma once
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <string>
 #include <vector>
 
 #include "base/vector.hpp"
 #include "spanline/model/colour.hpp"
+#include "spanline/model/texture.hpp"
 
 namespace spanline::sim {
 
@@ -14,6 +18,22 @@ struct TexturePoint {
   friend bool operator==(TexturePoint, TexturePoint) = default;
 };
 
+/// An image that a model names, or holds: the bytes of a PNG or JPEG file, which nobody has looked at.
+struct SceneImage {
+  std::string name;  ///< for messages
+  std::string path;  ///< empty where the bytes are here
+  std::vector<std::byte> bytes;
+  friend bool operator==(const SceneImage&, const SceneImage&) = default;
+};
+
+/// What the alpha of a part's texels is for.
+enum class AlphaUse : std::uint8_t {
+  by_image,  ///< images of alphas 0 and 255 alone cut out, others blend
+  opaque,
+  cut_out,
+  blend,
+};
+
 /// A model as it comes from its file, in world space and in doubles: right-handed, y up, front faces counter-clockwise.
 ///
 /// Triangles stand in file order; a polygon of n corners is the fan (0,1,2), (0,2,3) … Every table is either empty or
@@ -21,8 +41,14 @@ struct TexturePoint {
 struct Scene {
   /// A run of triangles that the file keeps together: a surface of its own where it is seen through.
   struct Part {
-    std::uint32_t first = 0;      ///< triangle; the run goes to the next part's first
-    std::uint32_t opacity = 255;  ///< 255ths
+    static constexpr std::uint32_t no_image = std::numeric_limits<std::uint32_t>::max();
+    std::uint32_t first = 0;         ///< triangle; the run goes to the next part's first
+    std::uint32_t opacity = 255;     ///< 255ths
+    std::uint32_t image = no_image;  ///< number of its texture's image
+    Rgb888 colour{};                 ///< of its material, which a texture is multiplied with
+    AlphaUse alpha = AlphaUse::by_image;
+    std::uint8_t cut_off = 128;  ///< least alpha of texels that are there, where they are cut out
+    Wrap wrap_s = Wrap::repeat, wrap_t = Wrap::repeat;
     friend bool operator==(const Part&, const Part&) = default;
   };
   using Triangle = std::array<std::uint32_t, 3>;
@@ -36,12 +62,16 @@ struct Scene {
   std::vector<Vector3> polygon_normals;        ///< one a triangle: its polygon's (Newell), zero if it has no area
   std::vector<Rgb888> polygon_colours;         ///< one a triangle
   std::vector<Part> parts;                     ///< in file order; empty: one, opaque
-  Rgb888 colour{};                             ///< of everything, where there are no tables of colours
-  bool normals_from_file = false;              ///< the file itself has vertex normals
+  std::vector<SceneImage> images;
+  Rgb888 colour{};                 ///< of everything, where there are no tables of colours
+  bool normals_from_file = false;  ///< the file itself has vertex normals
 };
 
 /// Whether anything shows what lies behind it.
 [[nodiscard]] bool is_see_through(const Scene& scene);
+
+/// Whether any part has a texture of its own, and coordinates for it.
+[[nodiscard]] bool is_textured(const Scene& scene);
 
 /// Multiplies every part's opacity by a factor in [0, 1].
 void fade(Scene& scene, double opacity);

@@ -29,12 +29,37 @@ bool take(std::span<const std::byte>& bytes, std::vector<T>& table) {
   return true;
 }
 
+void put(std::vector<std::byte>& bytes, const std::vector<SceneImage>& images) {
+  put(bytes, std::vector<std::uint8_t>(images.size()));
+  for (const SceneImage& image : images) {
+    put(bytes, std::vector<char>(image.name.begin(), image.name.end()));
+    put(bytes, std::vector<char>(image.path.begin(), image.path.end()));
+    put(bytes, image.bytes);
+  }
+}
+
+bool take(std::span<const std::byte>& bytes, std::vector<SceneImage>& images) {
+  std::vector<std::uint8_t> count;
+  if (!take(bytes, count)) return false;
+  images.resize(count.size());
+  return std::all_of(images.begin(), images.end(), [&bytes](SceneImage& image) {
+    std::vector<char> name, path;
+    if (!take(bytes, name) || !take(bytes, path) || !take(bytes, image.bytes)) return false;
+    image.name.assign(name.begin(), name.end());
+    image.path.assign(path.begin(), path.end());
+    return true;
+  });
+}
+
 bool finite_point(TexturePoint p) { return std::isfinite(p.s) && std::isfinite(p.t); }
 
 /// Parts begin at the first triangle, one behind the other.
-bool in_order(const std::vector<Scene::Part>& parts, std::size_t triangles) {
+bool in_order(const std::vector<Scene::Part>& parts, std::size_t triangles, std::size_t images) {
   std::uint64_t least = 0;
   for (const Scene::Part& part : parts) {
+    if ((part.image >= images && part.image != Scene::Part::no_image) || part.alpha > AlphaUse::blend ||
+        part.wrap_s > Wrap::clamp || part.wrap_t > Wrap::clamp)
+      return false;
     if ((least == 0 && part.first != 0) || part.first < least || part.first >= triangles || part.opacity > 255)
       return false;
     least = std::uint64_t{part.first} + 1;
@@ -49,7 +74,8 @@ bool consistent(const Scene& scene) {
   return none_or(scene.vertex_normals.size(), vertices) && none_or(scene.vertex_colours.size(), vertices) &&
          none_or(scene.vertex_opacities.size(), vertices) && none_or(scene.texture_points.size(), vertices) &&
          none_or(scene.polygon_colours.size(), triangles) && scene.polygon_normals.size() == triangles &&
-         in_order(scene.parts, triangles) && std::all_of(scene.positions.begin(), scene.positions.end(), finite) &&
+         in_order(scene.parts, triangles, scene.images.size()) &&
+         std::all_of(scene.positions.begin(), scene.positions.end(), finite) &&
          std::all_of(scene.vertex_normals.begin(), scene.vertex_normals.end(), finite) &&
          std::all_of(scene.texture_points.begin(), scene.texture_points.end(), finite_point) &&
          std::all_of(scene.polygon_normals.begin(), scene.polygon_normals.end(), finite) &&
@@ -73,6 +99,7 @@ std::vector<std::byte> to_bytes(const Scene& scene) {
   put(bytes, scene.polygon_normals);
   put(bytes, scene.polygon_colours);
   put(bytes, scene.parts);
+  put(bytes, scene.images);
   return bytes;
 }
 
@@ -85,7 +112,7 @@ std::optional<Scene> scene_from_bytes(std::span<const std::byte> bytes) {
                      take(bytes, scene.vertex_colours) && take(bytes, scene.vertex_opacities) &&
                      take(bytes, scene.texture_points) && take(bytes, scene.triangles) &&
                      take(bytes, scene.polygon_normals) && take(bytes, scene.polygon_colours) &&
-                     take(bytes, scene.parts) && bytes.empty();
+                     take(bytes, scene.parts) && take(bytes, scene.images) && bytes.empty();
   if (!whole || !consistent(scene)) return std::nullopt;
   return scene;
 }

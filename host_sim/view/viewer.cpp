@@ -8,6 +8,7 @@
 #include "base/failure.hpp"
 #include "base/output_file.hpp"
 #include "image/png.hpp"
+#include "render/part_textures.hpp"
 #include "render/setup.hpp"
 #include "view/orbit.hpp"
 #include "view/window.hpp"
@@ -39,6 +40,7 @@ class Viewer {
         options_(options),
         orbit_(make_orbit(scene, options.size)),
         window_(options.title, options.size) {
+    if (is_textured(scene)) textures_ = PartTextures(scene, {.resize = true});
     const ShadingEntry& start = default_shading(scene);
     choices_.shading = static_cast<std::size_t>(&start - shadings().data());
   }
@@ -81,6 +83,7 @@ class Viewer {
     const View view = orbit_.view();
     const auto start = std::chrono::steady_clock::now();
     request_ = make_request(arguments, shading, view, world_, resolve_light({}, std::nullopt, view));
+    if (shading.textured) request_.textures = textures_.of_part();
     const Frame frame = renderer_->draw(request_);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
     window_.show(frame.pixels);
@@ -164,8 +167,8 @@ class Viewer {
     if (key == SDLK_r) orbit_.reset();
     if (key == SDLK_s) {
       do choices_.shading = (choices_.shading + 1) % shadings().size();
-      while (shadings()[choices_.shading].textured);  // the window has no texture
-      renderer_.reset();                              // other shadings need other tables
+      while (shadings()[choices_.shading].textured && !is_textured(scene_));
+      renderer_.reset();  // other shadings need other tables
     }
   }
 
@@ -185,6 +188,7 @@ class Viewer {
   Window window_;
   Choices choices_;
   World world_;
+  PartTextures textures_;
   std::optional<FrameRenderer> renderer_;
   FrameRequest request_;     ///< of the last frame
   std::string description_;  ///< of the last frame

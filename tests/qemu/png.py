@@ -49,13 +49,21 @@ def read_ppm(path):
 
 
 def write_png(path, picture):
-    stride = 3 * picture.width
-    rows = b"".join(b"\0" + picture.rgb[y * stride : (y + 1) * stride] for y in range(picture.height))
+    write_rows(path, picture.width, picture.height, picture.rgb, 3)
 
+
+def write_png_rgba(path, width, height, rgba):
+    """Four bytes a pixel, alpha not premultiplied."""
+    write_rows(path, width, height, rgba, 4)
+
+
+def write_rows(path, width, height, pixels, channels):
     def chunk(kind, data):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
 
-    header = struct.pack(">IIBBBBB", picture.width, picture.height, 8, 2, 0, 0, 0)
+    stride = width * channels
+    rows = b"".join(b"\0" + pixels[y * stride : (y + 1) * stride] for y in range(height))
+    header = struct.pack(">IIBBBBB", width, height, 8, {3: 2, 4: 6}[channels], 0, 0, 0)
     with open(path, "wb") as file:
         file.write(SIGNATURE + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 

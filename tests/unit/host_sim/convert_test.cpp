@@ -13,6 +13,7 @@
 #include "coloured.hpp"
 #include "cube.hpp"
 #include "cube_texture.hpp"
+#include "parts.hpp"
 #include "square.hpp"
 
 namespace spanline::sim::test {
@@ -47,6 +48,23 @@ TEST(Convert, ColoursComeFromMaterials) {
   ASSERT_EQ(coloured.polygon_colours.size(), 2U);
   EXPECT_EQ(coloured.polygon_colours[0], (Rgb888{255, 0, 0}));
   EXPECT_EQ(coloured.polygon_colours[1], (Rgb888{0, 0, 255}));
+}
+
+TEST(Convert, PartsHaveMaterialsAndTextures) {
+  const auto& parts = spanline_models::parts;
+  ASSERT_EQ(std::size(parts), 2U);
+  EXPECT_TRUE(validate(*parts[0].mesh).ok());
+  EXPECT_EQ(parts[0].mesh->triangle_count(), 1U);
+  EXPECT_EQ(parts[0].mesh->texture_coordinates.size(), 3U);
+  EXPECT_EQ(parts[0].material.colour, (Rgb888{255, 128, 255}));
+  ASSERT_NE(parts[0].material.texturing.texture, nullptr);
+  EXPECT_EQ(validate(*parts[0].material.texturing.texture), TextureFault::none);
+  EXPECT_EQ(parts[0].material.texturing.texture->log2_width, 6);  // 48 x 32, made powers of two
+  EXPECT_EQ(parts[0].material.texturing.texture->log2_height, 5);
+  EXPECT_EQ(parts[1].material.colour, (Rgb888{0, 0, 255}));
+  EXPECT_EQ(parts[1].material.opacity, 128);
+  EXPECT_EQ(parts[1].material.texturing.texture, nullptr);
+  EXPECT_TRUE(parts[1].mesh->texture_coordinates.empty());
 }
 
 TEST(Convert, FarFromTheOriginOffsetsKeepPrecision) {

@@ -134,7 +134,11 @@ TEST_F(ImportTest, OpacitiesOfMaterialsAreKeptByParts) {
                                       "usemtl glass\nf 1 2 3\nusemtl wood\nf 2 4 3\nf 1 4 2\n");
   const Scene scene = import_model(model);
   EXPECT_TRUE(is_see_through(scene));
-  EXPECT_EQ(scene.parts, (std::vector<Scene::Part>{{0, 128}, {1, 255}}));
+  ASSERT_EQ(scene.parts.size(), 2U);
+  EXPECT_EQ(scene.parts[0].opacity, 128U);
+  EXPECT_EQ(scene.parts[1].first, 1U);
+  EXPECT_EQ(scene.parts[1].opacity, 255U);
+  EXPECT_EQ(scene.parts[1].colour, (Rgb888{255, 0, 0}));
 }
 
 TEST_F(ImportTest, AlphaModesOfGltfSayWhatOpacityMeans) {

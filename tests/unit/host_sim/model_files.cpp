@@ -22,18 +22,6 @@ std::string corner_bytes() {
   return bytes;
 }
 
-std::string base64(const std::string& bytes) {
-  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : digits[(group >> (18 - 6 * k)) & 63];
-  }
-  return text;
-}
-
 std::string ply_header(const std::string& format) {
   return "ply\nformat " + format +
          " 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
@@ -52,6 +40,37 @@ std::string gltf_json(const std::string& node, const std::string& material, cons
 }
 
 }  // namespace
+
+std::string base64(const std::string& bytes) {
+  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : digits[(group >> (18 - 6 * k)) & 63];
+  }
+  return text;
+}
+
+std::string textured_gltf(const std::string& image_uri, const std::string& material, const std::string& sampler) {
+  std::string bytes;
+  for (const float c : {-1.F, -1.F, 0.F, 3.F, -1.F, 0.F, -1.F, 3.F, 0.F}) append_bytes(bytes, c);
+  // glTF's t counts downwards.
+  for (const float c : {0.F, 1.F, 2.F, 1.F, 0.F, -1.F}) append_bytes(bytes, c);
+  return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": 0}]}],
+    "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0})" +
+         material + R"(}],
+    "textures": [{"source": 0, "sampler": 0}], "samplers": [)" +
+         sampler + R"(], "images": [{"uri": ")" + image_uri + R"("}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [-1, -1, 0],
+                   "max": [3, 3, 0]},
+                  {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2"}],
+    "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24}],
+    "buffers": [{"byteLength": 60, "uri": "data:application/octet-stream;base64,)" +
+         base64(bytes) + R"("}]})";
+}
 
 std::string triangle_obj() { return "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"; }
 

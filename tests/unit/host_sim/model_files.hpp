@@ -14,6 +14,14 @@ namespace spanline::sim::test {
 [[nodiscard]] std::string triangle_gltf(const std::string& node = "", const std::string& material = "");
 [[nodiscard]] std::string triangle_glb();
 
+/// A triangle that covers the square from (−1,−1,0) to (1,1,0), on which its texture lies once and upright. `material`
+/// is the rest of the material's JSON behind its baseColorTexture: further members of pbrMetallicRoughness, `}`, and
+/// the material's own.
+[[nodiscard]] std::string textured_gltf(const std::string& image_uri, const std::string& material = "}",
+                                        const std::string& sampler = "{}");
+
+[[nodiscard]] std::string base64(const std::string& bytes);
+
 /// A cube of edge 2 about the origin, six quadrilaterals counter-clockwise from outside.
 [[nodiscard]] std::string cube_obj();
 

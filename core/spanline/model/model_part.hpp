@@ -1,0 +1,30 @@
+#pragma once
+#include "spanline/model/material.hpp"
+#include "spanline/model/mesh.hpp"
+
+namespace spanline {
+
+/// A piece of a model with a material of its own, as `spanline convert --materials` writes them: an array of these is a
+/// model.
+///
+///     for (const ModelPart& part : spanline_models::robot) renderer.add(*part.mesh, transform, part.material);
+struct ModelPart {
+  const Mesh* mesh = nullptr;
+  Material material{};
+};
+
+/// A part under a texture, or null for none. A constant of C++, whatever else a material has.
+[[nodiscard]] constexpr ModelPart model_part(const Mesh& mesh, Rgb888 colour, ShadingMode shading,
+                                             std::uint8_t opacity = 255, const Texture* texture = nullptr,
+                                             TexelAlpha alpha = TexelAlpha::cut_out) {
+  ModelPart part;
+  part.mesh = &mesh;
+  part.material.colour = colour;
+  part.material.shading = shading;
+  part.material.opacity = opacity;
+  part.material.texturing.texture = texture;
+  part.material.texturing.alpha = alpha;
+  return part;
+}
+
+}  // namespace spanline

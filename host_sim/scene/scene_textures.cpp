@@ -1,0 +1,86 @@
+#include "scene/scene_textures.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <tuple>
+
+#include "base/failure.hpp"
+
+namespace spanline::sim {
+namespace {
+
+ImageRgba decoded(const SceneImage& image) {
+  if (!image.path.empty()) return read_image(image.path);
+  try {
+    return decode_image(image.bytes);
+  } catch (const Failure& failure) {
+    throw Failure(image.name + " " + failure.what());
+  }
+}
+
+AlphaUse use_of(const ImageRgba& image) {
+  const auto any = [&](auto holds) {
+    return std::any_of(image.pixels.begin(), image.pixels.end(), [&](const Rgba8888& p) { return holds(p.alpha); });
+  };
+  if (any([](int alpha) { return alpha != 0 && alpha != 255; })) return AlphaUse::blend;
+  return any([](int alpha) { return alpha == 0; }) ? AlphaUse::cut_out : AlphaUse::opaque;
+}
+
+void cut(ImageRgba& image, std::uint8_t cut_off) {
+  for (Rgba8888& pixel : image.pixels) pixel.alpha = pixel.alpha >= cut_off ? 255 : 0;
+}
+
+TexelFormat format_for(AlphaUse use, TexelFormat opaque) {
+  if (use == AlphaUse::cut_out) return TexelFormat::rgb565_cutout;
+  return use == AlphaUse::blend ? TexelFormat::argb4444 : opaque;
+}
+
+TextureImage to_texture(const SceneImage& source, ImageRgba image, const TextureOptions& options) {
+  try {
+    return make_texture(std::move(image), options);
+  } catch (const Failure& failure) {
+    throw Failure(source.path.empty() ? source.name + " " + failure.what() : source.path + ": " + failure.what());
+  }
+}
+
+}  // namespace
+
+SceneTextures load_textures(const Scene& scene, const TextureOptions& options, bool format_wanted) {
+  SceneTextures textures;
+  std::map<std::tuple<std::uint32_t, AlphaUse, std::uint8_t, Wrap, Wrap>, PartTexture> made;
+  for (const Scene::Part& part : scene.parts) {
+    PartTexture& texture = textures.of_part.emplace_back();
+    if (part.image == Scene::Part::no_image) continue;
+    PartTexture& known = made[{part.image, part.alpha, part.cut_off, part.wrap_s, part.wrap_t}];
+    if (known.image == PartTexture::none) {
+      const SceneImage& source = scene.images[part.image];
+      ImageRgba image = decoded(source);
+      const AlphaUse use = part.alpha == AlphaUse::by_image ? use_of(image) : part.alpha;
+      if (use == AlphaUse::cut_out) cut(image, part.cut_off);
+      TextureOptions own = options;
+      if (!format_wanted) own.format = format_for(use, options.format);
+      known = {textures.images.size(), use == AlphaUse::blend ? TexelAlpha::blend : TexelAlpha::cut_out};
+      textures.images.push_back(to_texture(source, std::move(image), own));
+      textures.images.back().shape.wrap_s = part.wrap_s;
+      textures.images.back().shape.wrap_t = part.wrap_t;
+    }
+    texture = known;
+  }
+  return textures;
+}
+
+void use_texture(Scene& scene, const std::string& path) {
+  if (scene.parts.empty()) scene.parts.emplace_back();
+  if (!is_textured(scene)) scene.vertex_colours.clear();
+  const auto number = static_cast<std::uint32_t>(scene.images.size());
+  scene.images.push_back({path, path, {}});
+  for (Scene::Part& part : scene.parts) {
+    if (part.image != Scene::Part::no_image) continue;
+    part.image = number;
+    part.colour = {255, 255, 255};
+    part.alpha = AlphaUse::by_image;
+  }
+}
+
+}  // namespace spanline::sim

@@ -1,0 +1,126 @@
+// Textures that a model names or holds, and what their alpha does, by the real command.
+#include <string>
+#include <vector>
+
+#include "image_bytes.hpp"
+#include "model_files.hpp"
+#include "tool.hpp"
+
+namespace spanline::sim::test {
+namespace {
+
+constexpr Rgb888 red{255, 0, 0}, green{0, 255, 0}, blue{0, 0, 255}, white{255, 255, 255};
+
+/// A quarter each, from the top left.
+std::string quarters(const std::vector<Rgba8888>& colours, int size = 8) {
+  ImageRgba image{size, size, {}};
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x)
+      image.pixels.push_back(colours[static_cast<std::size_t>(2 * y / size * 2 + 2 * x / size)]);
+  const std::vector<std::byte> bytes = png_with_alpha(image);
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+const std::vector<Rgba8888> four_colours{{red}, {green}, {blue}, {white}};
+
+class ModelTexturesTest : public ToolTest {
+ protected:
+  /// The square from (−1,−1) to (1,1), fully lit, over grey; or one that lies further to the right.
+  [[nodiscard]] ToolRun draw(const std::string& model, const std::vector<std::string>& more = {},
+                             const std::string& right = "0") const {
+    std::vector<std::string> arguments{
+        "render", model,          "-o",       in_folder("out.png"), "--ortho",   "2", "--size",       "32x32",
+        "--eye",  right + ",0,3", "--target", right + ",0,0",       "--ambient", "1", "--background", "808080"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  }
+  /// Pixels in the middle of each quarter.
+  [[nodiscard]] std::vector<Rgb888> drawn(const std::string& model, const std::vector<std::string>& more = {}) const {
+    const ToolRun result = draw(model, more);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    const Picture picture = read_png(in_folder("out.png"));
+    return {picture.at(8, 8), picture.at(24, 8), picture.at(8, 24), picture.at(24, 24)};
+  }
+  /// RGB565 and 32nds of opacity are coarse: 4 of 255 each, and twice that for products of two opacities.
+  static void expect_near(const std::vector<Rgb888>& got, const std::vector<Rgb888>& wanted) {
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      EXPECT_LE(greatest_difference(got[i], wanted[i]), 12) << "quarter " << i;
+  }
+  /// As a glTF's image.
+  static std::string data_uri(const std::string& bytes) { return "data:image/png;base64," + base64(bytes); }
+};
+
+TEST_F(ModelTexturesTest, ObjPartsWearTheirMaterialsImagesTimesTheirColours) {
+  make_file("a b.png", quarters(four_colours));
+  make_file("m.mtl", "newmtl left\nKd 1 1 1\nmap_Kd a b.png\nnewmtl right\nKd 1 0.5 0\n");
+  const std::string model =
+      make_file("a.obj",
+                "mtllib m.mtl\nv -1 -1 0\nv 0 -1 0\nv 0 1 0\nv -1 1 0\nv 1 -1 0\nv 1 1 0\nvt 0 0\nvt 0.5 0\n"
+                "vt 0.5 1\nvt 0 1\nusemtl left\nf 1/1 2/2 3/3 4/4\nusemtl right\nf 2 5 6 3\n");
+  for (const char* visibility : {"scanline-z", "span"})
+    expect_near(drawn(model, {"--visibility", visibility}), {red, {255, 128, 0}, blue, {255, 128, 0}});
+}
+
+TEST_F(ModelTexturesTest, GltfImagesLieBesideItOrInsideAndTakeItsSampler) {
+  make_file("my image.png", quarters(four_colours));
+  for (const std::string& uri : {std::string("my%20image.png"), data_uri(quarters(four_colours))}) {
+    const std::string model = make_file("a.gltf", textured_gltf(uri));
+    expect_near(drawn(model), {red, green, blue, white});
+    expect_near(drawn(model, {"--visibility", "span"}), {red, green, blue, white});
+    expect_near(drawn(model, {"--filter", "bilinear", "--mipmap"}), {red, green, blue, white});
+  }
+  // Beyond the edge the texture begins again, or its edge goes on.
+  const auto at_right = [&](const std::string& sampler) {
+    const std::string model = make_file("a.gltf", textured_gltf("my%20image.png", "}", sampler));
+    EXPECT_EQ(draw(model, {}, "1").exit_code, 0);
+    return read_png(in_folder("out.png")).at(18, 20);
+  };
+  EXPECT_LE(greatest_difference(at_right("{}"), blue), 8);
+  EXPECT_LE(greatest_difference(at_right(R"({"wrapS": 33071, "wrapT": 33071})"), white), 8);
+}
+
+TEST_F(ModelTexturesTest, AlphaModesSayWhatAlphaOfTexelsDoes) {
+  const std::string uri = data_uri(quarters({{red, 255}, {green, 153}, {blue, 85}, {white, 0}}));
+  const Rgb888 grey{128, 128, 128};
+  const auto over = [&](Rgb888 c, double alpha) {
+    const auto channel = [&](int a) { return static_cast<std::uint8_t>(a * alpha + 128 * (1 - alpha)); };
+    return Rgb888{channel(c.red), channel(c.green), channel(c.blue)};
+  };
+  for (const char* visibility : {"zbuffer", "span"}) {
+    const auto mode = [&](const std::string& material, const std::string& factor = "") {
+      return drawn(make_file("a.gltf", textured_gltf(uri, factor + "}" + material)), {"--visibility", visibility});
+    };
+    expect_near(mode(""), {red, green, blue, white});
+    expect_near(mode(R"(, "alphaMode": "MASK")"), {red, green, grey, grey});
+    expect_near(mode(R"(, "alphaMode": "MASK", "alphaCutoff": 0.2)"), {red, green, blue, grey});
+    expect_near(mode(R"(, "alphaMode": "MASK")", R"(, "baseColorFactor": [1, 1, 1, 0.7])"), {red, grey, grey, grey});
+    expect_near(mode(R"(, "alphaMode": "BLEND")"), {red, over(green, 0.6), over(blue, 1 / 3.0), grey});
+    expect_near(mode(R"(, "alphaMode": "BLEND")", R"(, "baseColorFactor": [1, 1, 1, 0.5])"),
+                {over(red, 0.5), over(green, 0.3), over(blue, 1 / 6.0), grey});
+  }
+}
+
+TEST_F(ModelTexturesTest, ImagesThatCannotBeAreRefusedByNameUnlessNobodyAsksForThem) {
+  const std::string odd = quarters(four_colours, 12);
+  make_file("odd.png", odd);
+  make_file("cut.png", odd.substr(0, odd.size() / 2));
+  const std::string model = in_folder("a.gltf"), embedded = in_folder("b.gltf");
+  make_file("b.gltf", textured_gltf(data_uri(odd)));
+  for (const std::string name : {"missing.png", "odd.png", "cut.png"}) {
+    make_file("a.gltf", textured_gltf(name));
+    const auto before = files();
+    const ToolRun result = draw(model);
+    expect_refused(result, 1, before);
+    EXPECT_NE(result.errors.find(in_folder(name)), std::string::npos) << result.errors;
+    expect_refused(run({"convert", model, "-o", in_folder("a.hpp"), "--materials"}), 1, before);
+  }
+  const auto before = files();
+  const ToolRun inside = draw(embedded);
+  expect_refused(inside, 1, before);
+  EXPECT_NE(inside.errors.find("b.gltf: the texture inside it is 12x12"), std::string::npos) << inside.errors;
+  expect_near(drawn(embedded, {"--resize"}), {red, green, blue, white});
+  make_file("a.gltf", textured_gltf("missing.png"));
+  EXPECT_EQ(draw(model, {"--shade", "flat"}).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace spanline::sim::test
