@@ -9,15 +9,6 @@ namespace {
 
 constexpr int sides = 24;
 
-/// Bytes that an entry of a pool takes on this host.
-std::size_t entry_size(std::uint32_t Capacity::*pool) {
-  using Counted = Renderer<FullTraits<Rgb565, Depth16<>, true>>;
-  constexpr std::uint32_t entries = 8;  // a multiple of the arena's alignment whatever the entry's size
-  Capacity more;
-  more.*pool += entries;
-  return (Counted::bytes_needed(more) - Counted::bytes_needed(Capacity{})) / entries;
-}
-
 std::size_t peak(const FrameStatistics& statistics, const char* name) {
   for (const auto& [pool, bytes] : statistics.peak_bytes)
     if (pool == name) return static_cast<std::size_t>(bytes);
@@ -36,8 +27,10 @@ FrameNeed measure_need(const Scene& scene) {
   for (int side = 0; side < sides; ++side) {
     request.camera = to_camera(turned(home, static_cast<double>(side) / sides), world, request.size);
     const Frame frame = renderer.draw(request);
-    need.polygons = std::max(need.polygons, peak(frame.statistics, "polygons") / entry_size(&Capacity::polygons));
-    need.active = std::max(need.active, peak(frame.statistics, "active") / entry_size(&Capacity::active));
+    need.polygons =
+        std::max(need.polygons, peak(frame.statistics, "polygons") / FrameRenderer::entry_size(&Capacity::polygons));
+    need.active =
+        std::max(need.active, peak(frame.statistics, "active") / FrameRenderer::entry_size(&Capacity::active));
   }
   return need;
 }

@@ -147,6 +147,10 @@ std::uint64_t distinct_ids(const std::vector<std::uint32_t>& ids, std::size_t tr
   return static_cast<std::uint64_t>(std::count(seen.begin(), seen.end(), true));
 }
 
+/// What colours are drawn with: one list of shaders for everything that a model may have.
+template <class Depth, class Visibility>
+using Colours = GeneralSeeThroughTraits<Rgb565, Depth, true, Visibility>;
+
 /// Draws the colour picture and, where asked, the picture of ids, with one format of depth.
 template <class Depth, class Visibility>
 class FrameDrawing {
@@ -157,9 +161,6 @@ class FrameDrawing {
     for (const CoreMesh& mesh : meshes) {
       triangles_ += mesh.indices.size() / 3;
       meshes_.push_back(mesh.view());
-      const FrameTexture texture = texture_of(mesh);
-      see_through_ = see_through_ || mesh.opacity < 255 || !mesh.vertex_opacities.empty() ||
-                     (texture.texture != nullptr && texture.texture->has_alpha());
     }
     const CoreMesh& first = meshes.front();
     // Without normals every vertex is fully lit: only colours of vertices call for interpolation then.
@@ -183,10 +184,7 @@ class FrameDrawing {
     set_up(lights);
     Frame frame;
     frame.size = request_.size;
-    if (see_through_)
-      draw_colours<GeneralSeeThroughTraits<Rgb565, Depth, true, Visibility>>(frame);
-    else
-      draw_colours<GeneralTraits<Rgb565, Depth, true, Visibility>>(frame);
+    draw_colours<Colours<Depth, Visibility>>(frame);
     if (request_.want_ids || request_.want_statistics) draw_ids(frame);
     return frame;
   }
@@ -277,7 +275,6 @@ class FrameDrawing {
   const FrameRequest& request_;
   std::vector<Mesh> meshes_;
   std::vector<Material> materials_;
-  bool see_through_ = false;
   Capacity& capacity_;
   std::vector<std::byte>& memory_;
   FrameSettings settings_;
@@ -286,6 +283,14 @@ class FrameDrawing {
 };
 
 }  // namespace
+
+std::size_t FrameRenderer::entry_size(std::uint32_t Capacity::*pool) {
+  using Drawn = Renderer<Colours<Depth16<>, ZBuffer>>;
+  constexpr std::uint32_t entries = 8;  // a multiple of the arena's alignment whatever the entry's size
+  Capacity more;
+  more.*pool += entries;
+  return (Drawn::bytes_needed(more) - Drawn::bytes_needed(Capacity{})) / entries;
+}
 
 FrameRenderer::FrameRenderer(std::vector<CoreMesh> meshes) : meshes_(std::move(meshes)) {
   capacity_.instances = static_cast<std::uint32_t>(meshes_.size());

@@ -82,6 +82,9 @@ struct PickedPixel {
 class FrameRenderer {
  public:
   explicit FrameRenderer(std::vector<CoreMesh> meshes);
+  /// Bytes of an entry of a pool in the peaks of 16-bit z-buffers' frames.
+  [[nodiscard]] static std::size_t entry_size(std::uint32_t Capacity::*pool);
+
   /// Throws Failure if the core refuses the frame.
   [[nodiscard]] Frame draw(const FrameRequest& request);
   /// Which triangle is seen at a pixel of the frame, and how deep.
