@@ -153,7 +153,7 @@ class Renderer {
              geometry.placement() != Placement::inside,
              Shaders::see_through && (holes || varies || is_see_through(material)),
              holes};
-    shading = {};
+    shading.clear();
     shading.mesh = &mesh;
     shading.vertex_shades = store.shades.data();
     if constexpr (has_textures) {
@@ -194,7 +194,7 @@ class Renderer {
     table_.groups[number] = {vertices.data(), nullptr, table_.polygon_count,
                              first_id,        true,    Shaders::see_through && is_see_through(material)};
     ShadingGroup& shading = pools_.shading[number];
-    shading = {};
+    shading.clear();
     shading.screen_colours = colours.data();
     shading.first_id = first_id;
     shading.shader = shader;

@@ -57,6 +57,19 @@ struct ShadingGroup {
   Layering layering{};
   ModelLight lights[Lighting::max_lights] = {};
 
+  /// Makes it new, but for the lights: as many as are counted are written.
+  void clear() {
+    mesh = nullptr;
+    screen_colours = nullptr;
+    vertex_shades = nullptr;
+    ramp = nullptr;
+    first_id = 0;
+    colour = {};
+    ambient = 65535;
+    light_count = shader = 0;
+    layering = {};
+  }
+
   /// min(1, ambient + Σ max(0, n·l)), 1/65536.
   [[nodiscard]] Intensity intensity(PackedNormal normal) const {
     std::int32_t sum = ambient;
