@@ -31,33 +31,46 @@ void ActiveEdgeTable::reap(std::int32_t row) {
   *write = awake_key::end;
 }
 
+void ActiveEdgeTable::stand_back(const PolygonSource& source, std::int32_t row) {
+  for (const AwakeKey* key = current_ + 1; *key != awake_key::end; ++key) {
+    AwakePolygon& polygon = at(*key);
+    if (row < polygon.end_row) source.table.defer(row, polygon.number);
+    release(polygon);
+  }
+  current_[1] = awake_key::end;
+}
+
+template <bool Nearest>
 AwakePolygon* ActiveEdgeTable::evict(std::uint32_t nearest, Link number) {
   // A bound's low bits are the outcode of the nearest corner, which says nothing of how far that is.
   const auto without_outcode = [](std::uint32_t bound) { return bound & ~std::uint32_t{0xff}; };
   nearest = without_outcode(nearest);
-  AwakeKey* farthest = nullptr;
+  AwakeKey* chosen = nullptr;
   const auto look = [&](AwakeKey* key) {
     const AwakePolygon& polygon = at(*key);
     const std::uint32_t bound = without_outcode(polygon.nearest);
-    if (bound < nearest || (bound == nearest && polygon.number < number)) return;
+    const bool in_front = bound < nearest || (bound == nearest && polygon.number < number);
+    if (in_front != Nearest) return;
     nearest = bound;
     number = polygon.number;
-    farthest = key;
+    chosen = key;
   };
   for (AwakeKey* key = current_ + 1; *key != awake_key::end; ++key) look(key);
   const AwakeKey* const first_entering = entering_;
   for (AwakeKey* key = entering_; *key != awake_key::end; ++key) look(key);
-  if (farthest == nullptr) return nullptr;
-  AwakePolygon& polygon = at(*farthest);
-  if (farthest >= first_entering && farthest < next_ + capacity_ + 1) {
-    for (; farthest != entering_; --farthest) farthest[0] = farthest[-1];
+  if (chosen == nullptr) return nullptr;
+  AwakePolygon& polygon = at(*chosen);
+  if (chosen >= first_entering && chosen < next_ + capacity_ + 1) {
+    for (; chosen != entering_; --chosen) chosen[0] = chosen[-1];
     ++entering_;
   } else {
-    do farthest[0] = farthest[1];
-    while (*farthest++ != awake_key::end);
+    do chosen[0] = chosen[1];
+    while (*chosen++ != awake_key::end);
   }
   return &polygon;
 }
+template AwakePolygon* ActiveEdgeTable::evict<false>(std::uint32_t nearest, Link number);
+template AwakePolygon* ActiveEdgeTable::evict<true>(std::uint32_t nearest, Link number);
 
 std::uint32_t ActiveEdgeTable::step(const PolygonSource& source, std::int32_t row) {
   std::uint32_t repairs = 0;

@@ -68,7 +68,13 @@ class ActiveEdgeTable {
   void reap(std::int32_t row);
   /// For a full table: takes out the farthest polygon, on or entering the row, of equal ones the latest, if it comes
   /// behind a polygon with these bounds and number. Its record is free for use; null if there is none.
-  [[nodiscard]] AwakePolygon* evict(std::uint32_t nearest, Link number);
+  [[nodiscard]] AwakePolygon* evict(std::uint32_t nearest, Link number) { return evict<false>(nearest, number); }
+  /// The same of the nearest polygon, of equal ones the earliest, if it comes before that one.
+  [[nodiscard]] AwakePolygon* evict_nearest(std::uint32_t nearest, Link number) { return evict<true>(nearest, number); }
+
+  /// Empties a table that stands on the row above `row`: polygons that go on wait in the bucket of `row`.
+  void stand_back(const PolygonSource& source, std::int32_t row);
+  [[nodiscard]] bool has_records() const { return capacity_ != 0; }
 
   /// Steps every polygon to `row`, drops those that end, and merges the new ones in. Output: how many keys had to move
   /// to repair the order.
@@ -77,6 +83,9 @@ class ActiveEdgeTable {
   [[nodiscard]] std::uint32_t peak() const { return peak_; }
 
  private:
+  template <bool Nearest>
+  AwakePolygon* evict(std::uint32_t nearest, Link number);
+
   void release(AwakePolygon& polygon) {
     polygon.next = free_;
     free_ = &polygon;

@@ -27,7 +27,9 @@ namespace spanline {
 ///
 /// Where the list of shaders has see-through ones, their polygons wake in a table of their own and are laid over the
 /// visible spans (LayerSweep); other lists are none the worse for it. Their records are a pool of their own, `layers`,
-/// by the same rule: where it is full, the farthest layers are left out of the row.
+/// which may be smaller than the number of layers on a row: the nearest wait then, and the row is swept again
+/// for them, as many at a time as there are records. That is right where those that wait lie before those that do not;
+/// the order is that of the nearest corner, of equally near ones the later first.
 template <class Depth, class Pixel, class Shaders, bool Counting>
 class SpanningScanLine {
  public:
@@ -122,8 +124,8 @@ class SpanningScanLine {
     for (std::int32_t row = target.first_row - row_bias; row < target.end_row - row_bias; ++row) {
       if constexpr (has_layers) {
         const WokenWithLayers woken = wake_bucket(table_, layers_.table, source, row, margin);
-        if (!woken.all_opaque) overflowed_ = true;
-        if (!woken.all_layers) layers_.overflowed = true;
+        note(woken);
+        defer_waiting(source, woken.waiting, row);
         static_cast<void>(layers_.table.step(source, row));
       } else if (!wake_bucket(table_, source, row, margin)) {
         overflowed_ = true;
@@ -148,6 +150,12 @@ class SpanningScanLine {
   [[nodiscard]] bool layers_overflowed() const { return layers_.overflowed; }
 
  private:
+  void note(WokenWithLayers woken) {
+    if (!woken.all_opaque) overflowed_ = true;
+    if constexpr (has_layers) {
+      if (woken.waiting != no_link) layers_.overflowed = true;
+    }
+  }
   void note_wanted_layers([[maybe_unused]] const PolygonTable& table, [[maybe_unused]] Viewport viewport) {
     if constexpr (has_layers) {
       if (layers_.overflowed) layers_.wanted = polygons_on_rows(table, viewport, true);
@@ -182,6 +190,10 @@ class SpanningScanLine {
     Pixel* line = nullptr;
     std::int32_t row = 0;
     [[no_unique_address]] std::conditional_t<has_layers, LayerSweep<Rows>*, NoLayerTable> layer_sweep{};
+    bool drawn = false;  ///< the row's opaque pixels, which is swept again for further layers
+
+    /// Whether spans were drawn before; never without layers.
+    [[nodiscard]] bool again() const { return has_layers && drawn; }
 
     void draw() {
       ActiveEdgeTable& edges = algorithm.table_;
@@ -206,26 +218,46 @@ class SpanningScanLine {
       const std::int32_t end = target.end_row - row_bias;
       for (row = target.first_row - row_bias; row < end; ++row, line += target.width) {
         const WokenWithLayers woken = wake_bucket(edges, layers, *this, row, margin);
-        if (!woken.all_opaque) algorithm.overflowed_ = true;
-        if (!woken.all_layers) algorithm.layers_.overflowed = true;
+        algorithm.note(woken);
         const std::uint32_t repairs = edges.step(*this, row) + layers.step(*this, row);
         if constexpr (Counting) target.counters->order_repairs += repairs;
         over_spans.begin_row(layers, row);
         sweep.run(edges, row);
+        if (woken.waiting != no_link) lay_waiting(woken.waiting, sweep, over_spans);
       }
+    }
+
+    /// The row again for layers that found no record: they lie over those that did, as many at a time as there are
+    /// records.
+    [[gnu::noinline]] void lay_waiting(Link waiting, RowSweep<Rows>& sweep, LayerSweep<Rows>& over_spans) {
+      ActiveEdgeTable& layers = algorithm.layers_.table;
+      if (!layers.has_records()) return defer_waiting(*this, waiting, row);
+      drawn = true;
+      while (waiting != no_link) {
+        layers.stand_back(*this, row + 1);
+        waiting = wake_waiting(layers, *this, waiting, row, margin);
+        static_cast<void>(layers.step(*this, row));
+        over_spans.begin_row(layers, row);
+        sweep.run(algorithm.table_, row);
+      }
+      drawn = false;
     }
 
     // What RowSweep asks of its owner.
 
     void background(std::int32_t begin, std::int32_t end) {
-      if constexpr (Counting) count_background(begin, end);
-      Shaders::fill_apart(target.background, word(end - begin), line + begin);
+      if (!again()) {
+        if constexpr (Counting) count_background(begin, end);
+        Shaders::fill_apart(target.background, word(end - begin), line + begin);
+      }
       lay_over(nullptr, begin, end);
     }
 
     [[gnu::always_inline]] void span(AwakePolygon& polygon, std::int32_t begin, std::int32_t end) {
-      if constexpr (Counting) count(polygon, begin, end);
-      fill(polygon, begin, end);
+      if (!again()) {
+        if constexpr (Counting) count(polygon, begin, end);
+        fill(polygon, begin, end);
+      }
       lay_over(&polygon, begin, end);
     }
 
@@ -270,6 +302,7 @@ class SpanningScanLine {
 
     void begins([[maybe_unused]] const AwakePolygon& polygon) {
       if constexpr (Counting) {
+        if (again() && !this->table.groups[polygon.group].see_through) return;
         ++target.counters->decisions;
         covered(shading[polygon.group].first_id + this->corners(polygon).triangle);
       }

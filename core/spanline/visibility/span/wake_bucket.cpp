@@ -23,6 +23,29 @@ namespace {
   return room;
 }
 
+/// Wakes a layer; where the table is full the nearest joins those that wait.
+void wake_layer(ActiveEdgeTable& layers, const PolygonSource& source, Link number, std::int32_t row, BoundMargin margin,
+                Link& waiting) {
+  if (AwakePolygon* record = layers.take(); record != nullptr) {
+    layers.enter(*record, wake(*record, source, number, row, margin));
+    return;
+  }
+  layers.reap(row);
+  AwakePolygon candidate;
+  const std::int32_t column = wake(candidate, source, number, row, margin);
+  AwakePolygon* record = layers.take();
+  if (record == nullptr) {
+    record = layers.evict_nearest(candidate.nearest, number);
+    const Link waits = record == nullptr ? number : record->number;
+    source.table.references[waits].next = waiting;
+    waiting = waits;
+  }
+  if (record != nullptr) {
+    *record = candidate;
+    layers.enter(*record, column);
+  }
+}
+
 }  // namespace
 
 bool wake_bucket(ActiveEdgeTable& edges, const PolygonSource& source, std::int32_t row, BoundMargin margin) {
@@ -45,20 +68,41 @@ bool wake_bucket(ActiveEdgeTable& edges, const PolygonSource& source, std::int32
 // A loop of its own: the choice of a table would cost opaque renderers some instructions a row.
 WokenWithLayers wake_bucket(ActiveEdgeTable& edges, ActiveEdgeTable& layers, const PolygonSource& source,
                             std::int32_t row, BoundMargin margin) {
-  WokenWithLayers woken{true, true};
+  WokenWithLayers woken{true, no_link};
   PolygonTable& table = source.table;
   const Link last = table.buckets[static_cast<std::size_t>(row)];
   if (last == no_link) return woken;
   for (Link number = table.references[last].next;;) {
     const Link following = table.references[number].next;
-    const bool is_layer = table.groups[table.find_group(number)].see_through;
-    ActiveEdgeTable& entered = is_layer ? layers : edges;
-    if (AwakePolygon* record = entered.take(); record != nullptr)
-      entered.enter(*record, wake(*record, source, number, row, margin));
-    else if (!wake_in_full_table(entered, source, number, row, margin))
-      (is_layer ? woken.all_layers : woken.all_opaque) = false;
+    if (table.groups[table.find_group(number)].see_through)
+      wake_layer(layers, source, number, row, margin, woken.waiting);
+    else if (AwakePolygon* record = edges.take(); record != nullptr)
+      edges.enter(*record, wake(*record, source, number, row, margin));
+    else if (!wake_in_full_table(edges, source, number, row, margin))
+      woken.all_opaque = false;
     if (number == last) return woken;
     number = following;
+  }
+}
+
+Link wake_waiting(ActiveEdgeTable& layers, const PolygonSource& source, Link waiting, std::int32_t row,
+                  BoundMargin margin) {
+  Link again = no_link;
+  while (waiting != no_link) {
+    const Link number = waiting;
+    waiting = source.table.references[number].next;
+    wake_layer(layers, source, number, row, margin, again);
+  }
+  return again;
+}
+
+void defer_waiting(const PolygonSource& source, Link waiting, std::int32_t row) {
+  while (waiting != no_link) {
+    const Link number = waiting;
+    waiting = source.table.references[number].next;
+    const auto [a, b, c] = source.table.corners(source.table.groups[source.table.find_group(number)], number).corner;
+    const std::int32_t end = row_at(a->y > b->y ? (a->y > c->y ? a->y : c->y) : (b->y > c->y ? b->y : c->y)) - row_bias;
+    if (row + 1 < (end < source.viewport.height ? end : source.viewport.height)) source.table.defer(row + 1, number);
   }
 }
 

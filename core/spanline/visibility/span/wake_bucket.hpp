@@ -11,13 +11,24 @@ namespace spanline {
 [[nodiscard]] bool wake_bucket(ActiveEdgeTable& edges, const PolygonSource& source, std::int32_t row,
                                BoundMargin margin);
 
-/// Whether there was room for all that woke.
+/// Whether there was room for all that woke, and the first of the layers for which there was not, or no_link: a chain
+/// by the polygon table's references.
 struct WokenWithLayers {
-  bool all_opaque, all_layers;
+  bool all_opaque;
+  Link waiting;
 };
 
-/// The same, where polygons of see-through groups enter a table of their own.
+/// The same, where polygons of see-through groups enter a table of their own. Of those the nearest have to wait, of
+/// equally near ones the earliest: they are to be laid over the others.
 [[nodiscard]] WokenWithLayers wake_bucket(ActiveEdgeTable& edges, ActiveEdgeTable& layers, const PolygonSource& source,
                                           std::int32_t row, BoundMargin margin);
+
+/// Wakes a chain of waiting layers on the row itself, where `layers` has stood back. Output: those that have to wait
+/// again.
+[[nodiscard]] Link wake_waiting(ActiveEdgeTable& layers, const PolygonSource& source, Link waiting, std::int32_t row,
+                                BoundMargin margin);
+
+/// Puts a chain of waiting layers into the bucket of the next row.
+void defer_waiting(const PolygonSource& source, Link waiting, std::int32_t row);
 
 }  // namespace spanline
