@@ -41,11 +41,22 @@ void add_output_options(CLI::App& command, RenderTexts& texts) {
       ->group(group);
 }
 
+/// 16, and the algorithms that take another depth by default.
+std::string default_depths() {
+  constexpr int usual = 16;
+  std::string text = std::to_string(usual);
+  for (const VisibilityEntry& entry : visibility_algorithms())
+    if (entry.depth_bits != usual) text += "; " + std::string(entry.name) + " " + std::to_string(entry.depth_bits);
+  return text;
+}
+
 void add_drawing_options(CLI::App& command, RenderTexts& texts) {
   const std::string group = "Drawing";
   command.add_option("--size", texts.size, "picture size (320x240)")->type_name("WxH")->group(group);
   command.add_option("--visibility", texts.visibility, "algorithm (scanline-z)")->type_name("NAME")->group(group);
-  command.add_option("--depth", texts.depth, "bits of depth (16; span 24)")->type_name("16|24")->group(group);
+  command.add_option("--depth", texts.depth, "bits of depth (" + default_depths() + ")")
+      ->type_name("16|24")
+      ->group(group);
   command.add_option("--depth-sense", texts.depth_sense, "nearer depths are (smaller)")
       ->type_name("smaller|larger")
       ->group(group);

@@ -84,8 +84,7 @@ Drawing draw_once(const Scene& scene, const Manner& manner, std::uint32_t layers
   if constexpr (Traits::statistics) drawing.depths.assign(picture.depth.begin(), picture.depth.end());
   drawing.counters = studio.statistics().visibility;
   drawing.status = studio.status();
-  drawing.shades_once =
-      Traits::statistics && !manner.two_cores && std::is_same_v<typename Traits::Visibility, Spanning>;
+  drawing.shades_once = Traits::statistics && !manner.two_cores && !BandDrawer<Traits>::Visibility::tests_depth;
   return drawing;
 }
 
