@@ -112,6 +112,13 @@ constexpr auto call(F& f) {
     return decltype(f.template operator()<Traits>()){};
 }
 
+/// The general shader, opaque and see-through.
+template <class Visibility>
+using SurfaceTraits = RendererTraits<
+    Depth24<>, Rgb565,
+    ShaderList<FlatShader<Rgb565>, GeneralShader<Rgb565>, SeeThroughShader<Rgb565, TranslucentShader<Rgb565>>>, false,
+    Visibility>;
+
 /// Calls f.template operator()<Traits>() for the renderer. F names its result type.
 template <std::uint32_t Memory, class F>
 constexpr auto with_traits(SelftestRenderer renderer, F&& f) {
@@ -138,6 +145,10 @@ constexpr auto with_traits(SelftestRenderer renderer, F&& f) {
       return call<Memory, layers_24, SeeThroughTraits<Rgb565, Depth24<>>>(f);
     case span_layers:
       return call<Memory, span_layers, SeeThroughTraits<Rgb565, Depth24<>, false, Spanning>>(f);
+    case surfaces_24:
+      return call<Memory, surfaces_24, SurfaceTraits<ZBuffer>>(f);
+    case span_surfaces:
+      return call<Memory, span_surfaces, SurfaceTraits<Spanning>>(f);
     case full_24_larger:
       break;
   }

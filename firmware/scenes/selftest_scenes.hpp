@@ -5,7 +5,9 @@
 #include "scenes/model_view.hpp"
 #include "scenes/prisms_mesh.hpp"
 #include "scenes/random_soups.hpp"
+#include "scenes/surface_meshes.hpp"
 #include "scenes/terrain_mesh.hpp"
+#include "scenes/textured_wall.hpp"
 #include "scenes/torus_mesh.hpp"
 
 namespace spanline::scenes {
@@ -187,6 +189,34 @@ inline void build_glass(const SelftestRequest& request, SelftestContent& content
   glaze(0, 110, Transparency::blend);
   glaze(2, 150, Transparency::add);
   glaze(3, 180, Transparency::screen_door);
+}
+
+/// Everything that the general shader does: a wall under bilinear texels in fog, before it a ring that is cut out and
+/// two squares that cut through one another, whose opacity varies by their corners and their texels.
+inline void build_surfaces(const SelftestRequest& request, SelftestContent& content) {
+  look(request, content);
+  content.settings.cull = Cull::none;
+  content.settings.fog = {FogCurve::exponential, 3.0_q16, 9.0_q16, {120, 130, 150}};
+  content.settings.dither = true;
+  Transform wall;
+  wall.translation = {-0.5_q16, {}, 2.0_q16};
+  content.add(textured_wall::mesh, wall,
+              {{255, 220, 180},
+               ShadingMode::flat,
+               {&textured_wall::texture, TextureFunction::modulate, TextureFilter::bilinear}});
+  Transform ring = tilted(20), veil = tilted(-30), screen = tilted(60);
+  ring.translation = {-0.6_q16, 0.3_q16, 0.5_q16};
+  veil.translation = {0.4_q16, {}, {}};
+  screen.translation = {0.3_q16, -0.2_q16, {}};
+  content.add(surface_square::plain, ring,
+              {{255, 255, 255}, ShadingMode::flat, {&surface_textures::ring, TextureFunction::replace}});
+  Material fading{{255, 255, 255}, ShadingMode::gouraud, {&surface_textures::disc}};
+  fading.texturing.alpha = TexelAlpha::blend;
+  content.add(surface_square::fading, veil, fading);
+  fading.texturing.filter = TextureFilter::bilinear;
+  fading.transparency = Transparency::screen_door;
+  fading.opacity = 220;
+  content.add(surface_square::fading, screen, fading);
 }
 
 /// What culling normally leaves out.

@@ -22,18 +22,21 @@ enum class SelftestRenderer : std::uint8_t {
   layers_16,       ///< flat and Gouraud shading, opaque and see-through, 16-bit depth
   layers_24,       ///< the same, 24-bit depth
   span_layers,     ///< the same by spanning scan line, 24 bits
+  surfaces_24,     ///< the general shader, opaque and see-through, 24-bit depth
+  span_surfaces,   ///< the same by spanning scan line
 };
 
 /// The renderer as lines of the self-test name it, in the column of the depth.
 [[nodiscard]] constexpr const char* to_string(SelftestRenderer renderer) {
-  constexpr const char* names[] = {"16-flat", "16-flat-larger", "16",        "16-swapped", "24", "24-larger", "24-flat",
-                                   "24",      "16-layers",      "24-layers", "24-layers"};
+  constexpr const char* names[] = {"16-flat",   "16-flat-larger", "16",         "16-swapped", "24",
+                                   "24-larger", "24-flat",        "24",         "16-layers",  "24-layers",
+                                   "24-layers", "24-surfaces",    "24-surfaces"};
   return names[static_cast<unsigned>(renderer)];
 }
 
 [[nodiscard]] constexpr bool is_spanning(SelftestRenderer renderer) {
   return renderer == SelftestRenderer::span_flat || renderer == SelftestRenderer::span_full ||
-         renderer == SelftestRenderer::span_layers;
+         renderer == SelftestRenderer::span_layers || renderer == SelftestRenderer::span_surfaces;
 }
 
 /// One drawing of a scene.
@@ -347,6 +350,22 @@ inline constexpr SelftestScene scenes[] = {
        {span_layers, 1, 91128},
        {span_layers, 16, 110328}}},
      240},
+    // Textures, fog and dither, holes, and opacities that vary.
+    {"surfaces",
+     build_surfaces,
+     {.width = 160,
+      .height = 120,
+      .instances = 4,
+      .vertices = 16,
+      .shades = 8,
+      .textures = 16,
+      .polygons = 8,
+      .active = 8,
+      .layers = 3600},
+     0,
+     Pool::none,
+     {{{surfaces_24, 16, 73056}, {span_surfaces, 120, 83368}}},
+     8},
     {"prisms-small",
      build_prisms,
      {.width = 128, .height = 128, .vertices = 66, .polygons = 56, .fans = 56, .active = 24},

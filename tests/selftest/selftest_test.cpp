@@ -24,7 +24,8 @@ constexpr std::uint32_t all_memory = std::numeric_limits<std::uint32_t>::max();
 
 bool has_24_bits(SelftestRenderer renderer) {
   return renderer == SelftestRenderer::full_24 || renderer == SelftestRenderer::full_24_larger ||
-         renderer == SelftestRenderer::layers_24 || scenes::is_spanning(renderer);
+         renderer == SelftestRenderer::layers_24 || renderer == SelftestRenderer::surfaces_24 ||
+         scenes::is_spanning(renderer);
 }
 
 TEST(SelftestScenes, MeshesAreValid) {
