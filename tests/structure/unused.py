@@ -12,7 +12,7 @@ import sys
 
 import house
 
-EXTRA = re.compile(r"textur|texel|general_(pixel|surface)|generalshader|fog|dither|canvas|font|glyph", re.IGNORECASE)
+EXTRA = re.compile(r"textur|texel|general_(pixel|surface)|generalshader|fog|dither|local_?(light|flat)|spanline::power|relief|volume|canvas|font|glyph", re.IGNORECASE)
 
 
 def defined(path):

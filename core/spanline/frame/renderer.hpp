@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <new>
 #include <span>
 #include <type_traits>
 
@@ -118,15 +119,21 @@ class Renderer {
   /// full what fits is kept, and the status names the pool and the size that the frame has wanted so far.
   Status add(const Mesh& mesh, const Transform& transform, const Material& material) {
     if (!ready_) return status_.ok() ? Status{Fault::bad_settings, Pool::none, 0} : status_;
-    const bool textured = has_textures && material.texturing.texture != nullptr && !mesh.texture_coordinates.empty();
-    const bool texels_have_alpha = textured && has_alpha(material.texturing);
+    const bool mapped = has_textures && material.texturing.lies_on(mesh);
+    const bool relief = material.relief.heights != nullptr && !mesh.texture_coordinates.empty();
+    const bool volume = material.volume.source != SolidSource::none;
+    const bool textured = has_textures && (mapped || relief || volume);
+    const bool local_light = material.shines() || !lighting_.point_lights.empty();
+    const bool texels_have_alpha = mapped && has_alpha(material.texturing);
     const bool holes = texels_have_alpha && material.texturing.alpha == TexelAlpha::cut_out;
     const bool varies = varying_opacity(mesh) || (texels_have_alpha && !holes);
-    const std::uint8_t shader =
-        shader_for<Traits>(material, {!mesh.vertex_colours.empty(), textured, effects_wanted_, varies});
+    const std::uint8_t shader = shader_for<Traits>(
+        material, {!mesh.vertex_colours.empty(), textured, effects_wanted_, varies, local_light, relief, volume});
     const std::uint32_t first_id = used_.ids;
     used_.ids += static_cast<std::uint32_t>(mesh.triangle_count());
-    if (shader >= Shaders::count) return {Fault::shader_missing, Pool::none, 0};
+    // Opacities of vertices go with the group's own light.
+    if (shader >= Shaders::count || (local_light && varying_opacity(mesh)))
+      return {Fault::shader_missing, Pool::none, 0};
     // An algorithm that decides by whole spans cannot look through holes, unless it has layers.
     if (!Visibility::tests_depth && !Shaders::see_through && holes) return {Fault::shader_missing, Pool::none, 0};
 
@@ -142,10 +149,13 @@ class Renderer {
     const Link number = table_.group_count++;
     PolygonGroup& group = table_.groups[number];
     ShadingGroup& shading = pools_.shading[number];
-    VertexStore store{pools_.vertices.subspan(used_.vertices),
-                      shaded ? pools_.shades.subspan(used_.shades) : std::span<std::uint32_t>{},
-                      textured ? pools_.textures.subspan(used_.textures) : std::span<TextureVertex>{},
-                      static_cast<Link>(mesh.vertex_count()), 0};
+    VertexStore store{
+        pools_.vertices.subspan(used_.vertices),
+        shaded ? pools_.shades.subspan(used_.shades) : std::span<std::uint32_t>{},
+        textured ? pools_.textures.subspan(used_.textures) : std::span<TextureVertex>{},
+        has_volumes && volume ? pools_.third_coordinates.subspan(used_.textures) : std::span<std::int32_t>{},
+        static_cast<Link>(mesh.vertex_count()),
+        0};
     group = {store.vertices.data(),
              mesh.indices.data(),
              table_.polygon_count,
@@ -156,22 +166,14 @@ class Renderer {
     shading.clear();
     shading.mesh = &mesh;
     shading.vertex_shades = store.shades.data();
-    if constexpr (has_textures) {
-      if (textured || is_general(shader)) {
-        TexturedGroup& more = pools_.textured[number];
-        more = {textured ? store.textures.data() : nullptr, material.texturing, material.colour,
-                shaded && material.shading == ShadingMode::gouraud, kind_of_shades(mesh)};
-        if constexpr (has_effects) more.effects = &effects_;
-        shading.textured = &more;
-      }
-    }
     shading.first_id = first_id;
     shading.colour = LitColour::from(material.colour);
     shading.shader = shader;
+    describe_surface(mesh, transform, material, number, textured, local_light, store, shading);
     if constexpr (Shaders::see_through) shading.layering = layering_of(material, number, stipple_seed_);
     set_lights(lighting_, transform, shading);
-    if (shaded) prepare_shades(mesh, material, number, shading, store.shades.data());
-    return assemble(mesh, material, geometry, group, store);
+    if (shaded) prepare_shades(mesh, material, number, local_light, shading, store.shades.data());
+    return assemble(mesh, transform, material, geometry, group, store);
   }
 
   /// Adds triangles that are on screen already: corners three by three (outcodes set where they leave the viewport),
@@ -185,7 +187,7 @@ class Renderer {
                     const Material& material) {
     if (!ready_) return status_.ok() ? Status{Fault::bad_settings, Pool::none, 0} : status_;
     if (vertices.size() / 3 >= fan_flag) return {Fault::too_many_triangles, Pool::none, 0};
-    const std::uint8_t shader = shader_for<Traits>(material, {false, false, false});
+    const std::uint8_t shader = shader_for<Traits>(material, {});
     const std::uint32_t first_id = used_.ids;
     used_.ids += static_cast<std::uint32_t>(vertices.size() / 3);
     if (shader >= Shaders::count) return {Fault::shader_missing, Pool::none, 0};
@@ -259,10 +261,15 @@ class Renderer {
     if constexpr (has_ids) return false;
     return !mesh.vertex_opacities.empty();
   }
-  [[nodiscard]] static vertex_shade::Kind kind_of_shades(const Mesh& mesh) {
+  [[nodiscard]] static vertex_shade::Kind kind_of_shades(const Mesh& mesh, const Material& material) {
     if (has_translucent && varying_opacity(mesh)) return vertex_shade::Kind::colour_and_opacity;
-    return shade_kind(mesh);
+    return shade_kind(mesh, material);
   }
+  static constexpr bool has_local_light = Shaders::template index_of<LocalFlatShader<Format>> < Shaders::count;
+  static constexpr bool has_relief = Shaders::template index_of<ReliefShader<Format>> < Shaders::count;
+  static constexpr bool has_volumes =
+      Shaders::first([]<class Shader>() { return DrawsVolumes<Shader>; }) < Shaders::count;
+  static constexpr bool has_pixelwise = has_relief || has_volumes;
   struct NoEffects {};
 
   void prepare_effects([[maybe_unused]] const FrameSettings& settings) {
@@ -282,7 +289,10 @@ class Renderer {
     std::span<ScreenVertex> vertices;
     std::span<std::uint32_t> shades;
     std::span<TextureVertex> textures;
+    std::span<std::int32_t> third_coordinates;
     std::span<TexturedGroup> textured;
+    std::span<PixelwiseGroup> pixelwise;
+    std::span<LocalLighting> local_lights;
     std::span<PolygonReference> references;
     std::span<FanTriangle> fans;
     std::span<Link> buckets;
@@ -294,7 +304,10 @@ class Renderer {
       vertices = arena.take<ScreenVertex>(c.vertices);
       shades = arena.take<std::uint32_t>(has_shades ? c.shades : 0);
       textures = arena.take<TextureVertex>(has_textures ? c.textures : 0);
-      textured = arena.take<TexturedGroup>(has_textures ? c.instances : 0);
+      third_coordinates = arena.take<std::int32_t>(has_volumes ? c.textures : 0);
+      textured = arena.take<TexturedGroup>(has_textures || has_local_light ? c.instances : 0);
+      pixelwise = arena.take<PixelwiseGroup>(has_pixelwise ? c.instances : 0);
+      local_lights = arena.take<LocalLighting>(has_local_light ? c.instances : 0);
       references = arena.take<PolygonReference>(c.polygons);
       fans = arena.take<FanTriangle>(c.fans);
       buckets = arena.take<Link>(bucket_count(c));
@@ -365,12 +378,49 @@ class Renderer {
     return refuse(pool, missing_so_far, count - free_rest, size);
   }
 
-  void prepare_shades(const Mesh& mesh, const Material& material, Link number, ShadingGroup& shading,
+  /// What shaders other than flat and Gouraud need to know of group `number`.
+  void describe_surface([[maybe_unused]] const Mesh& mesh, [[maybe_unused]] const Transform& transform,
+                        [[maybe_unused]] const Material& material, [[maybe_unused]] Link number,
+                        [[maybe_unused]] bool textured, [[maybe_unused]] bool local_light,
+                        [[maybe_unused]] const VertexStore& store, [[maybe_unused]] ShadingGroup& shading) {
+    if constexpr (has_textures || has_local_light) {
+      if (!textured && !is_general(shading.shader) && !(has_local_light && local_light)) return;
+      TexturedGroup& more = pools_.textured[number];
+      more = {textured ? store.textures.data() : nullptr, material.texturing, material.colour,
+              !store.shades.empty() && material.shading == ShadingMode::gouraud, kind_of_shades(mesh, material)};
+      if constexpr (has_effects) more.effects = &effects_;
+      if constexpr (has_pixelwise) {
+        pools_.pixelwise[number] = {material.relief, material.volume, store.thirds.data()};
+        more.pixelwise = &pools_.pixelwise[number];
+      }
+      if constexpr (has_local_light) {
+        // In place: it is too large for a temporary on small stacks.
+        if (local_light)
+          more.local =
+              new (&pools_.local_lights[number]) LocalLighting(lighting_, view_.camera, mesh, transform, material);
+      }
+      shading.textured = &more;
+    }
+  }
+
+  static void light_vertices(const Mesh& mesh, [[maybe_unused]] const Material& material,
+                             [[maybe_unused]] bool local_light, const ShadingGroup& shading, std::uint32_t* shades) {
+    if constexpr (has_relief) {
+      if (shading.shader == Shaders::template index_of<ReliefShader<Format>>)
+        return shade_vertices_for_relief(mesh, shading, shades);
+    }
+    if constexpr (has_local_light) {
+      if (local_light) return shade_vertices_locally(mesh, material.colour, *shading.textured->local, shades);
+    }
+    shade_vertices(mesh, shading, shades);
+  }
+
+  void prepare_shades(const Mesh& mesh, const Material& material, Link number, bool local_light, ShadingGroup& shading,
                       std::uint32_t* shades) {
     if constexpr (has_translucent) {
       if (varying_opacity(mesh)) return shade_translucent_vertices(mesh, material.colour, shading, shades);
     }
-    shade_vertices(mesh, shading, shades);
+    light_vertices(mesh, material, local_light, shading, shades);
     if constexpr (has_ramps) {
       if (!mesh.vertex_colours.empty()) return;
       std::uint16_t* ramp = pools_.ramps.data() + number * gouraud::ramp_size;
@@ -379,11 +429,11 @@ class Renderer {
     }
   }
 
-  Status assemble(const Mesh& mesh, [[maybe_unused]] const Material& material, const InstanceGeometry& geometry,
-                  const PolygonGroup& group, VertexStore& store) {
+  Status assemble(const Mesh& mesh, [[maybe_unused]] const Transform& transform, const Material& material,
+                  const InstanceGeometry& geometry, const PolygonGroup& group, VertexStore& store) {
     geometry.transform_vertices(store.vertices.data());
     PolygonAssembly assembly(table_, bucket_of_row_, viewport(), cull_);
-    const Clipper clipper = geometry.clipper(kind_of_shades(mesh));
+    const Clipper clipper = geometry.clipper(kind_of_shades(mesh, material));
     const bool shaded = !store.shades.empty(), textured = !store.textures.empty();
     std::size_t room = store.vertices.size();
     if (shaded) room = std::min(room, store.shades.size());
@@ -395,7 +445,13 @@ class Renderer {
       if (textured) {
         nearness = geometry.nearness();
         textures = TextureVertexMaker::for_instance(nearness);
-        geometry.make_texture_vertices(nearness, material.texture_matrix, store.textures.data());
+        if (has_volumes && !store.thirds.empty())
+          geometry.make_volume_vertices(nearness, material.volume, store.textures.data(), store.thirds.data());
+        else if (material.texturing.coordinates == TextureCoordinates::sphere_map)
+          geometry.make_sphere_map_vertices(nearness, material.texture_matrix, transform.rotation,
+                                            store.textures.data());
+        else
+          geometry.make_texture_vertices(nearness, material.texture_matrix, store.textures.data());
       }
     }
     assembly.run(mesh, group.vertices, group.scissored, geometry.clip_context(clipper, store, textures));
@@ -429,12 +485,13 @@ class Renderer {
   }
 
   void note_peaks() {
-    peaks_.instances =
-        table_.group_count * (sizeof(PolygonGroup) + sizeof(ShadingGroup) + (has_ramps ? gouraud::ramp_size * 2 : 0));
+    peaks_.instances = table_.group_count *
+                       (sizeof(PolygonGroup) + sizeof(ShadingGroup) + (has_ramps ? gouraud::ramp_size * 2 : 0) +
+                        (has_local_light ? sizeof(LocalLighting) : 0) + (has_pixelwise ? sizeof(PixelwiseGroup) : 0));
     peaks_.vertices = used_.vertices * sizeof(ScreenVertex);
     peaks_.shades = used_.shades * sizeof(std::uint32_t);
-    peaks_.textures =
-        used_.textures * sizeof(TextureVertex) + (has_textures ? table_.group_count * sizeof(TexturedGroup) : 0);
+    peaks_.textures = used_.textures * (sizeof(TextureVertex) + (has_volumes ? sizeof(std::int32_t) : 0)) +
+                      (has_textures || has_local_light ? table_.group_count * sizeof(TexturedGroup) : 0);
     peaks_.polygons = table_.polygon_count * sizeof(PolygonReference);
     peaks_.fans = table_.fan_count * sizeof(FanTriangle);
     peaks_.active = Visibility::Memory::bytes(drawer_.visibility().peak());

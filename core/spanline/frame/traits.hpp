@@ -5,12 +5,15 @@
 #include "spanline/shade/general_shader.hpp"
 #include "spanline/shade/gouraud.hpp"
 #include "spanline/shade/item_shaders.hpp"
+#include "spanline/shade/local_flat.hpp"
 #include "spanline/shade/pixel_format.hpp"
 #include "spanline/shade/polygon_id.hpp"
+#include "spanline/shade/relief.hpp"
 #include "spanline/shade/see_through.hpp"
 #include "spanline/shade/shader_list.hpp"
 #include "spanline/shade/textured.hpp"
 #include "spanline/shade/translucent.hpp"
+#include "spanline/shade/volume.hpp"
 #include "spanline/visibility/deferred.hpp"
 #include "spanline/visibility/depth_buffer.hpp"
 #include "spanline/visibility/span/spanning_scan_line.hpp"
@@ -40,6 +43,13 @@ using FullTraits =
     RendererTraits<Depth, Format, ShaderList<FlatShader<Format>, GouraudShader<Format>, GouraudColourShader<Format>>,
                    Statistics, Visibility>;
 
+/// Flat and Gouraud shading, with point lights and highlights.
+template <class Format = Rgb565, class Depth = Depth16<>, bool Statistics = false, class Visibility = ZBuffer>
+using LocalLightTraits = RendererTraits<
+    Depth, Format,
+    ShaderList<FlatShader<Format>, GouraudShader<Format>, GouraudColourShader<Format>, LocalFlatShader<Format>>,
+    Statistics, Visibility>;
+
 /// Flat and Gouraud shading, opaque and see-through.
 template <class Format = Rgb565, class Depth = Depth16<>, bool Statistics = false, class Visibility = ZBuffer>
 using SeeThroughTraits = RendererTraits<
@@ -57,6 +67,7 @@ using GeneralSeeThroughTraits = RendererTraits<
                RepeatedTextureShader<Format, TexelFormat::rgb565, NoTexelLight>,
                RepeatedTextureShader<Format, TexelFormat::rgb565, FlatTexelLight>,
                RepeatedTextureShader<Format, TexelFormat::rgb565, GouraudTexelLight>, GeneralShader<Format>,
+               LocalFlatShader<Format>, ReliefShader<Format>, VolumeShader<Format>,
                SeeThroughShader<Format, FlatShader<Format>>, SeeThroughShader<Format, GouraudShader<Format>>,
                SeeThroughShader<Format, GouraudColourShader<Format>>,
                SeeThroughShader<Format, TranslucentShader<Format>>>,
@@ -77,14 +88,16 @@ using TextureTraits = RendererTraits<Depth, Format,
                                      Statistics, Visibility>;
 
 /// The same shaders, and one behind them that serves whatever they do not: other texel formats, clamping, bilinear
-/// filtering, mip maps, texture functions, coloured surfaces under a texture, fog and dither.
+/// filtering, mip maps, texture functions, coloured surfaces under a texture, fog and dither; and point lights,
+/// highlights, relief and solids of tables.
 template <class Format = Rgb565, class Depth = Depth16<>, bool Statistics = false, class Visibility = ZBuffer>
 using GeneralTraits = RendererTraits<
     Depth, Format,
     ShaderList<FlatShader<Format>, GouraudShader<Format>, GouraudColourShader<Format>,
                RepeatedTextureShader<Format, TexelFormat::rgb565, NoTexelLight>,
                RepeatedTextureShader<Format, TexelFormat::rgb565, FlatTexelLight>,
-               RepeatedTextureShader<Format, TexelFormat::rgb565, GouraudTexelLight>, GeneralShader<Format>>,
+               RepeatedTextureShader<Format, TexelFormat::rgb565, GouraudTexelLight>, GeneralShader<Format>,
+               LocalFlatShader<Format>, ReliefShader<Format>, VolumeShader<Format>>,
     Statistics, Visibility>;
 
 /// Whether a shader draws textures: it says which materials it serves.
@@ -101,21 +114,37 @@ concept Translucent = SeeThrough<Shader> && requires {
 
 /// What of a mesh, its material and the frame decides which shader serves.
 struct SurfaceNeeds {
-  bool vertex_colours, textured;
-  bool effects;         ///< fog or dither
-  bool varies = false;  ///< the opacity, over a polygon
+  bool vertex_colours = false, textured = false;
+  bool effects = false;      ///< fog or dither
+  bool varies = false;       ///< the opacity, over a polygon
+  bool local_light = false;  ///< point lights or highlights (shade/local_light.hpp)
+  bool relief = false;       ///< bump mapping or embossing (shade/relief.hpp)
+  bool volume = false;       ///< a solid (shade/volume.hpp)
 };
 
-/// Whether a shader serves a material, but for its opacity and for effects.
+/// Whether a shader serves a material, but for its opacity.
 template <class Shader, class Format>
-[[nodiscard]] constexpr bool serves(const Material& material, SurfaceNeeds needs) {
-  if constexpr (DrawsTextures<Shader>)
-    return needs.textured && Shader::serves(material, needs.vertex_colours);
+[[nodiscard]] constexpr bool serves(const Material& material, const SurfaceNeeds& needs) {
+  if (needs.volume || needs.relief) {
+    if (needs.effects || needs.local_light || (needs.volume && needs.relief)) return false;
+    if constexpr (DrawsVolumes<Shader>) return needs.volume && Shader::serves(material, needs.vertex_colours);
+    if constexpr (std::is_same_v<Shader, ReliefShader<Format>>)
+      return needs.relief && Shader::serves(material, needs.vertex_colours);
+    return false;
+  }
+  // Of those that draw textures, the general shader alone has effects and local light.
+  if constexpr (std::is_same_v<Shader, GeneralShader<Format>>)
+    return needs.textured || needs.effects;
+  else if (needs.effects)
+    return false;
+  else if constexpr (DrawsTextures<Shader>)
+    return needs.textured && !needs.local_light && Shader::serves(material, needs.vertex_colours);
   else if (needs.textured)
     return false;
   else if (material.shading == ShadingMode::flat)
-    return std::is_same_v<Shader, FlatShader<Format>>;
-  else if (needs.vertex_colours)
+    return needs.local_light ? std::is_same_v<Shader, LocalFlatShader<Format>>
+                             : std::is_same_v<Shader, FlatShader<Format>>;
+  else if (needs.vertex_colours || (needs.local_light && material.shines()))
     return std::is_same_v<Shader, GouraudColourShader<Format>>;
   else
     return std::is_same_v<Shader, GouraudShader<Format>>;
@@ -123,32 +152,25 @@ template <class Shader, class Format>
 
 /// The place in the list of the shader that serves a material on a mesh; the list's `count` if there is none.
 template <class Traits>
-[[nodiscard]] constexpr std::uint8_t shader_for(const Material& material, SurfaceNeeds needs) {
+[[nodiscard]] constexpr std::uint8_t shader_for(const Material& material, const SurfaceNeeds& needs) {
   using Shaders = typename Traits::Shaders;
   using Format = typename Traits::Format;
   if constexpr (Shaders::template index_of<IdShader> < Shaders::count) {
     return Shaders::template index_of<IdShader>;
   } else {
-    if (needs.varies || is_see_through(material))
-      return Shaders::first([&]<class Shader>() {
-        if constexpr (Translucent<Shader>)
-          return true;
-        else if constexpr (SeeThrough<Shader>)
-          return !needs.varies && !needs.effects && serves<typename Shader::Inner, Format>(material, needs);
-        else
-          return false;
-      });
-    if (needs.effects) return Shaders::template index_of<GeneralShader<Format>>;
-    if (needs.textured)
-      return Shaders::first([&]<class Shader>() {
-        if constexpr (DrawsTextures<Shader>)
-          return Shader::serves(material, needs.vertex_colours);
-        else
-          return false;
-      });
-    if (material.shading == ShadingMode::flat) return Shaders::template index_of<FlatShader<Format>>;
-    if (needs.vertex_colours) return Shaders::template index_of<GouraudColourShader<Format>>;
-    return Shaders::template index_of<GouraudShader<Format>>;
+    // Without this shader vertices know no local light either.
+    if (needs.local_light && Shaders::template index_of<LocalFlatShader<Format>> == Shaders::count)
+      return Shaders::count;
+    const bool see_through = needs.varies || is_see_through(material);
+    return Shaders::first([&]<class Shader>() {
+      if constexpr (Translucent<Shader>)
+        return see_through && !needs.relief && !needs.volume;
+      else if constexpr (SeeThrough<Shader>)
+        return see_through && !needs.varies && !needs.effects &&
+               serves<typename Shader::Inner, Format>(material, needs);
+      else
+        return !see_through && serves<Shader, Format>(material, needs);
+    });
   }
 }
 

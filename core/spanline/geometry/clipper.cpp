@@ -72,6 +72,7 @@ ClipVertex Clipper::intersection(unsigned plane, const ClipVertex& a, std::int64
   if (plane == far_plane) made.point.z = far_;
   made.s = TextureVertex::mix(from.s, to.s, t);
   made.t = TextureVertex::mix(from.t, to.t, t);
+  made.r = TextureVertex::mix(from.r, to.r, t);
   made.shade = vertex_shade::mix(shades_, from.shade, to.shade, t);
   return made;
 }

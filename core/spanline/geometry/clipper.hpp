@@ -12,7 +12,7 @@ namespace spanline {
 struct ClipVertex {
   ViewPoint point;
   std::uint32_t shade;      ///< a vertex shade; interpolated with the point
-  std::int32_t s, t;        ///< texture coordinates, 2^-20 textures; interpolated with the point
+  std::int32_t s, t, r;     ///< texture coordinates, 2^-20 textures; interpolated with the point
   Link original = no_link;  ///< the mesh vertex that it is, or no_link for a point made by clipping
   /// Whether its outcode says that it lies in the guard band. Neighbours that need no clipping go by the outcode, so
   /// clipping must as well, whatever rounding makes of a point on the very edge.

@@ -30,6 +30,15 @@ class InstanceGeometry {
   void make_texture_vertices(const Nearness& nearness, const TextureMatrix& matrix, TextureVertex* out) const {
     spanline::make_texture_vertices(transform_, nearness, mesh_, matrix, out);
   }
+  void make_sphere_map_vertices(const Nearness& nearness, const TextureMatrix& matrix, const Rotation& rotation,
+                                TextureVertex* out) const {
+    spanline::make_sphere_map_vertices(transform_, view_.camera.axes * rotation, view_.camera.projection, nearness,
+                                       mesh_, matrix, out);
+  }
+  void make_volume_vertices(const Nearness& nearness, const Volume& volume, TextureVertex* out,
+                            std::int32_t* third) const {
+    spanline::make_volume_vertices(transform_, nearness, mesh_, volume, out, third);
+  }
 
  private:
   const FrameView& view_;

@@ -199,7 +199,8 @@ void PolygonAssembly::clip_triangle(const Mesh& mesh, const ClipContext& clip, c
   for (unsigned i = 0; i < 3; ++i) {
     const bool textured = !store.textures.empty();
     piece.append({view_point(*clip.transform, mesh, corner[i]), store.shades.empty() ? 0 : store.shades[corner[i]],
-                  textured ? store.textures[corner[i]].s : 0, textured ? store.textures[corner[i]].t : 0, corner[i],
+                  textured ? store.textures[corner[i]].s : 0, textured ? store.textures[corner[i]].t : 0,
+                  store.thirds.empty() ? 0 : store.thirds[corner[i]], corner[i],
                   (vertices[corner[i]].depth_word & (outcode_near | outcode_guard)) == 0});
   }
   clip.clipper->clip(piece);
@@ -241,6 +242,7 @@ void PolygonAssembly::clip_triangle(const Mesh& mesh, const ClipContext& clip, c
       if (!store.textures.empty())
         store.textures[number[j]] =
             clip.textures.make(*clip.textures.nearness, piece[j].point.z, piece[j].s, piece[j].t);
+      if (!store.thirds.empty()) store.thirds[number[j]] = piece[j].r;
     }
     if (number[0] != no_link && number[i] != no_link && number[i + 1] != no_link)
       append_fan(band, {{number[0], number[i], number[i + 1]}, triangle, polygon});

@@ -46,6 +46,7 @@ struct VertexStore {
   std::span<ScreenVertex> vertices;   ///< of the instance: its own come first
   std::span<std::uint32_t> shades;    ///< parallel to `vertices`, or empty
   std::span<TextureVertex> textures;  ///< parallel to `vertices`, or empty
+  std::span<std::int32_t> thirds;     ///< third texture coordinates, parallel to `textures`, or empty
   Link count = 0;                     ///< in use
   std::uint32_t wanted_vertices = 0;  ///< that did not fit
 };

@@ -5,6 +5,7 @@
 #include "spanline/geometry/vertex_transform.hpp"
 #include "spanline/math/bits.hpp"
 #include "spanline/math/integer.hpp"
+#include "spanline/math/inverse_root.hpp"
 #include "spanline/math/reciprocal.hpp"
 
 namespace spanline {
@@ -61,6 +62,61 @@ void make_texture_vertices(const ViewTransform& transform, const Nearness& nearn
   for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
     const TextureCoordinate& c = mesh.texture_coordinates[i];
     out[i] = {nearness(view_point(transform, mesh, i).z), row_s(c), row_t(c)};
+  }
+}
+
+void make_sphere_map_vertices(const ViewTransform& transform, const Rotation& normals_to_view, Projection projection,
+                              const Nearness& nearness, const Mesh& mesh, const TextureMatrix& matrix,
+                              TextureVertex* out) {
+  constexpr int exponent = -14;
+  constexpr std::int32_t one = 1 << 30;
+  const MatrixRow row_s(matrix.ss, matrix.st, matrix.s0, exponent);
+  const MatrixRow row_t(matrix.ts, matrix.tt, matrix.t0, exponent);
+  const auto product = [](std::int64_t a, std::int32_t b) { return (a * b) >> 30; };
+  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
+    const ViewPoint point = view_point(transform, mesh, i);
+    // x to the right, y up, z towards the viewer.
+    const Direction sight = projection == Projection::perspective
+                                ? direction_and_length(point.x, point.y, -point.z).direction
+                                : Direction{{}, {}, -Q2_30::from_int(1)};
+    const PackedNormal packed = mesh.vertex_normals[i];
+    constexpr std::int32_t unit = (one + 255) / 511;
+    const Direction normal =
+        normals_to_view * Direction{Q2_30::from_raw(packed.x() * unit), Q2_30::from_raw(packed.y() * unit),
+                                    Q2_30::from_raw(packed.z() * unit)};
+    const std::int64_t twice_along = 2 * std::int64_t{dot(sight, normal).raw()};
+    const auto mirrored = [&](Q2_30 along, Q2_30 across) { return along.raw() - product(twice_along, across.raw()); };
+    const Direction half = direction_and_length(mirrored(sight.x, normal.x), mirrored(sight.y, normal.y),
+                                                mirrored(sight.z, normal.z) + one)
+                               .direction;
+    const auto coordinate = [](std::int32_t h) {
+      return static_cast<std::int16_t>(((one >> 1) + (h >> 1) + (1 << 15)) >> 16);
+    };
+    const TextureCoordinate c{coordinate(half.x.raw()), coordinate(-half.y.raw())};
+    out[i] = {nearness(point.z), row_s(c), row_t(c)};
+  }
+}
+
+void make_volume_vertices(const ViewTransform& transform, const Nearness& nearness, const Mesh& mesh,
+                          const Volume& volume, TextureVertex* out, std::int32_t* third) {
+  // Steps · scale have 16 fraction bits, coordinates 20; what lies beyond their range wraps.
+  const int shift = 16 - TextureUnits::fraction_bits - mesh.step_exponent - volume.exponent;
+  const auto coordinate = [&](std::int64_t steps, Q16_16 origin) {
+    const std::int64_t product = steps * volume.scale.raw();
+    const std::uint64_t scaled = shift > 62  ? 0
+                                 : shift > 0 ? static_cast<std::uint64_t>(shift_rounded(product, shift))
+                                             : static_cast<std::uint64_t>(product) << std::min(-shift, 63);
+    return signed_word(static_cast<std::uint32_t>(scaled) + (word(origin.raw()) << (TextureUnits::fraction_bits - 16)));
+  };
+  const Vec3<std::int32_t>& offset = mesh.offset;
+  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
+    const bool wide = mesh.vertices.empty();
+    const std::int64_t x = wide ? mesh.wide_vertices[i].x : mesh.vertices[i].x,
+                       y = wide ? mesh.wide_vertices[i].y : mesh.vertices[i].y,
+                       z = wide ? mesh.wide_vertices[i].z : mesh.vertices[i].z;
+    out[i] = {nearness(view_point(transform, mesh, i).z), coordinate(x + offset.x, volume.origin.x),
+              coordinate(y + offset.y, volume.origin.y)};
+    third[i] = coordinate(z + offset.z, volume.origin.z);
   }
 }
 

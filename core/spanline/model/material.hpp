@@ -2,7 +2,10 @@
 #include <cstdint>
 
 #include "spanline/model/colour.hpp"
+#include "spanline/model/mesh.hpp"
+#include "spanline/model/relief.hpp"
 #include "spanline/model/texture.hpp"
+#include "spanline/model/volume.hpp"
 
 namespace spanline {
 
@@ -42,6 +45,13 @@ enum class MipMapping : std::uint8_t {
   span,     ///< one level for each 16 columns of a row
 };
 
+/// Where texture coordinates come from.
+enum class TextureCoordinates : std::uint8_t {
+  mesh,        ///< the mesh's own
+  sphere_map,  ///< by the mesh's vertex normals: the texture is a picture of the surroundings, as a mirror sphere shows
+               ///< them from far away (environment mapping, lecture 004; OpenGL's GL_SPHERE_MAP)
+};
+
 /// How a texture is laid on a surface.
 struct Texturing {
   const Texture* texture = nullptr;  ///< null: none; must stay until the frame is drawn
@@ -51,6 +61,13 @@ struct Texturing {
   MipMapping mip_mapping = MipMapping::none;
   TexelAlpha alpha = TexelAlpha::cut_out;
   Rgb888 blend_colour{};  ///< of TextureFunction::blend
+  TextureCoordinates coordinates = TextureCoordinates::mesh;
+
+  /// Whether a mesh has what its coordinates are made of.
+  [[nodiscard]] bool lies_on(const Mesh& mesh) const {
+    return texture != nullptr &&
+           !(coordinates == TextureCoordinates::mesh ? mesh.texture_coordinates.empty() : mesh.vertex_normals.empty());
+  }
 };
 
 /// Whether the texture has an alpha that tells what of the surface is there; a decal is mixed by it instead.
@@ -70,10 +87,18 @@ enum class Transparency : std::uint8_t {
 struct Material {
   Rgb888 colour{};
   ShadingMode shading = ShadingMode::flat;
-  Texturing texturing{};  ///< of meshes with texture coordinates; others are drawn without
+  Texturing texturing{};  ///< of meshes that it lies on; others are drawn without
   TextureMatrix texture_matrix{};
   std::uint8_t opacity = 255;  ///< α in 255ths; blending rounds it to 32nds and patterns to 64ths
   Transparency transparency = Transparency::blend;
+  /// What the surface adds to its lit colour where it mirrors a light: specular · Σ intensity · (R·V)^shininess
+  /// (lecture 003); black: nothing. For renderers with `LocalFlatShader` (shade/local_flat.hpp).
+  Rgb888 specular{0, 0, 0};
+  std::uint8_t shininess = 32;  ///< [1, 128]
+  Volume volume{};              ///< for renderers with `VolumeShader`
+  Relief relief{};              ///< of meshes with texture coordinates; for renderers with `ReliefShader`
+
+  [[nodiscard]] constexpr bool shines() const { return !(specular == Rgb888{0, 0, 0}); }
 };
 
 }  // namespace spanline

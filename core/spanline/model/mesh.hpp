@@ -75,6 +75,17 @@ struct Mesh {
   [[nodiscard]] constexpr std::size_t polygon_count() const {
     return corners.empty() ? indices.size() / 3 : corners.size();
   }
+  /// Where a polygon's corners begin in `indices`, and how many there are. Among polygons of several sizes it counts
+  /// its way there.
+  [[nodiscard]] constexpr std::size_t first_corner(std::size_t polygon) const {
+    if (corners.empty()) return polygon * 3;
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < polygon; ++i) first += corners[i];
+    return first;
+  }
+  [[nodiscard]] constexpr unsigned corner_count(std::size_t polygon) const {
+    return corners.empty() ? 3 : corners[polygon];
+  }
   /// Triangles of all fans: the numbers that polygon ids count.
   [[nodiscard]] constexpr std::size_t triangle_count() const {
     return corners.empty() ? indices.size() / 3 : indices.size() - 2 * corners.size();

@@ -5,6 +5,7 @@
 #include "spanline/raster/span.hpp"
 #include "spanline/raster/vertex_shade.hpp"
 #include "spanline/shade/general_surface.hpp"
+#include "spanline/shade/local_light.hpp"
 
 namespace spanline {
 
@@ -135,12 +136,17 @@ struct GeneralShader {
     if (!smooth) {
       const Intensity intensity =
           mesh.polygon_normals.empty() ? Intensity{65535} : group.intensity(mesh.polygon_normals[polygon.polygon]);
-      const auto all_over = [&](std::uint32_t channel) {
-        return LinearFunction{word(lit(channel, intensity)) << 16, 0, 0};
+      const LocalLighting* local = group.textured->local;
+      const SurfaceLight light = local != nullptr ? local->on_polygon(polygon.polygon) : SurfaceLight{intensity, 0};
+      const Rgb888 specular = local != nullptr ? local->specular() : Rgb888{0, 0, 0};
+      const auto all_over = [&](std::uint32_t channel, std::uint32_t shine) {
+        const std::int32_t sum =
+            lit(channel, light.diffuse) + static_cast<std::int32_t>(shine * 257 * light.highlight >> 16);
+        return LinearFunction{word(std::min<std::int32_t>(sum, vertex_shade::highest_intensity)) << 16, 0, 0};
       };
-      surface.red = all_over(colour.red);
-      surface.green = all_over(colour.green);
-      surface.blue = all_over(colour.blue);
+      surface.red = all_over(colour.red, specular.red);
+      surface.green = all_over(colour.green, specular.green);
+      surface.blue = all_over(colour.blue, specular.blue);
       return;
     }
     if (group.textured->shades == vertex_shade::Kind::colour_and_opacity) {

@@ -21,14 +21,31 @@ inline constexpr std::uint32_t ramp_size = 1u << ramp_bits;
   return std::clamp<std::uint32_t>(intensity, vertex_shade::lowest_intensity, vertex_shade::highest_intensity);
 }
 
+namespace detail {
+/// A lit channel, colour · intensity / 256, whose full scale is 65,279, in fewer bits and off the ends.
+[[nodiscard]] constexpr std::uint32_t rounded(std::uint32_t lit, std::uint32_t greatest, std::uint32_t off) {
+  return std::clamp<std::uint32_t>((lit * greatest + 32640) / 65280, off, greatest - off);
+}
+}  // namespace detail
+
 /// The shade of a coloured vertex: its colour under the light, channels rounded.
 [[nodiscard]] constexpr std::uint32_t shade_of(Rgb888 colour, Intensity intensity) {
   const auto channel = [intensity](std::uint32_t c, std::uint32_t greatest, std::uint32_t off) {
-    // c·intensity / 256 has 16 bits, full scale 65,279.
-    return std::clamp<std::uint32_t>((((c * intensity) >> 8) * greatest + 32640) / 65280, off, greatest - off);
+    return detail::rounded((c * intensity) >> 8, greatest, off);
   };
   return vertex_shade::pack(channel(colour.red, 2047, 2), channel(colour.green, 2047, 2),
                             channel(colour.blue, 1023, 1));
+}
+
+/// The same with a highlight added.
+[[nodiscard]] constexpr std::uint32_t shade_of(Rgb888 colour, Intensity intensity, Rgb888 specular,
+                                               Intensity highlight) {
+  const auto channel = [=](std::uint32_t c, std::uint32_t s, std::uint32_t greatest, std::uint32_t off) {
+    const std::uint32_t lit = (c * intensity + s * highlight) >> 8;
+    return detail::rounded(lit < 65279 ? lit : 65279, greatest, off);
+  };
+  return vertex_shade::pack(channel(colour.red, specular.red, 2047, 2), channel(colour.green, specular.green, 2047, 2),
+                            channel(colour.blue, specular.blue, 1023, 1));
 }
 
 }  // namespace gouraud

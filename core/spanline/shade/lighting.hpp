@@ -16,9 +16,9 @@ void set_lights(const Lighting& lighting, const Transform& transform, ShadingGro
 /// Gouraud light: a shade for every vertex of the mesh, of the kind that its colours ask for.
 void shade_vertices(const Mesh& mesh, const ShadingGroup& group, std::uint32_t* shades);
 
-/// The kind of shade that a mesh's vertices get.
-[[nodiscard]] inline vertex_shade::Kind shade_kind(const Mesh& mesh) {
-  return mesh.vertex_colours.empty() ? vertex_shade::Kind::intensity : vertex_shade::Kind::colour;
+/// The kind of shade that a mesh's vertices get: highlights have a colour of their own.
+[[nodiscard]] inline vertex_shade::Kind shade_kind(const Mesh& mesh, const Material& material) {
+  return mesh.vertex_colours.empty() && !material.shines() ? vertex_shade::Kind::intensity : vertex_shade::Kind::colour;
 }
 
 }  // namespace spanline

@@ -22,15 +22,26 @@ struct ModelLight {
 };
 
 struct FrameEffects;
+class LocalLighting;
 
-/// What shaders need to know of a textured group besides, and the general shader of any.
+/// What shaders that work out pixel by pixel need to know of a group.
+struct PixelwiseGroup {
+  Relief relief;
+  Volume volume;
+  const std::int32_t* third_coordinates;  ///< r, one a vertex, where there is a solid
+};
+
+/// What shaders need to know of a textured group besides, the general shader of any, and others of groups in local
+/// light.
 struct TexturedGroup {
   const TextureVertex* vertices;  ///< one a vertex; null without a texture
   Texturing texturing;
-  Rgb888 colour;                          ///< the material's
-  bool smooth = false;                    ///< light and colour are interpolated
-  vertex_shade::Kind shades{};            ///< what `vertex_shades` are
-  const FrameEffects* effects = nullptr;  ///< of the frame; for the general shader
+  Rgb888 colour;                              ///< the material's
+  bool smooth = false;                        ///< light and colour are interpolated
+  vertex_shade::Kind shades{};                ///< what `vertex_shades` are
+  const FrameEffects* effects = nullptr;      ///< of the frame; for the general shader
+  const LocalLighting* local = nullptr;       ///< where the light is more than the group's own
+  const PixelwiseGroup* pixelwise = nullptr;  ///< for shaders that ask for it
 };
 
 /// How a see-through group shows what lies behind it; nothing to opaque ones.
@@ -45,7 +56,7 @@ struct ShadingGroup {
   const Mesh* mesh = nullptr;  ///< null for triangles given on screen
   union {
     const std::uint16_t* screen_colours = nullptr;  ///< of triangles given on screen: RGB565, one a triangle
-    const TexturedGroup* textured;                  ///< of a mesh: for shaders of textures, and the general one
+    const TexturedGroup* textured;  ///< of a mesh: for shaders of textures, in local light, and the general one
   };
   const std::uint32_t* vertex_shades = nullptr;  ///< Gouraud: one a vertex (gouraud.hpp)
   const std::uint16_t* ramp = nullptr;           ///< Gouraud without vertex colours: 64 pixels

@@ -192,6 +192,7 @@ TEST(GeneralShader, BandsAndSpansDrawTheSameBytes) {
     for (int v = 0; v < wish.vertices; ++v)
       instance.owned.texture_coordinates.push_back({static_cast<std::int16_t>(random.between(-32768, 32767)),
                                                     static_cast<std::int16_t>(random.between(-32768, 32767))});
+    for (int v = 0; v < wish.vertices; ++v) instance.owned.vertex_normals.push_back(random_normal(random).packed);
     instance.mesh = instance.owned.view();
     FrameSettings settings;
     settings.camera = instance.view.camera;
@@ -206,6 +207,7 @@ TEST(GeneralShader, BandsAndSpansDrawTheSameBytes) {
     material.texturing.function = static_cast<TextureFunction>(random.between(0, 3));
     material.texturing.mip_mapping = static_cast<MipMapping>(random.between(0, 2));
     if (random.chance(2)) material.texturing.filter = TextureFilter::bilinear;
+    if (random.chance(3)) material.texturing.coordinates = TextureCoordinates::sphere_map;
     const auto draw = [&]<class Traits>(int lines, Traits*) {
       Capacity capacity = mesh_capacity(instance.view.viewport.width, instance.view.viewport.height, 1,
                                         instance.mesh.vertex_count(), instance.mesh.triangle_count());

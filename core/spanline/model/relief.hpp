@@ -1,0 +1,47 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "spanline/math/fixed.hpp"
+#include "spanline/math/trigonometry.hpp"
+
+namespace spanline {
+
+/// Heights over a surface: 2^log2_width × 2^log2_height bytes, row by row from the top, repeated both ways.
+struct HeightMap {
+  static constexpr unsigned max_log2_size = 11;  ///< of a side
+  std::uint8_t log2_width = 0, log2_height = 0;
+  std::span<const std::uint8_t> heights{};
+
+  [[nodiscard]] constexpr bool valid() const {
+    return log2_width <= max_log2_size && log2_height <= max_log2_size &&
+           heights.size() >= std::size_t{1} << (log2_width + log2_height);
+  }
+};
+
+/// How heights turn the normal that light falls on (lecture 004).
+enum class ReliefKind : std::uint8_t {
+  bump,    ///< by the slope of the heights (Blinn 1978)
+  emboss,  ///< by an angle, towards the light or away from it, where the heights step
+};
+
+/// A relief that is seen by its light alone: outlines and depths stay those of the polygons.
+///
+/// At texture coordinates in texels of the map, with T and B the unit vectors along s and t on the surface:
+///
+///     bump:    light = ambient + max(0, (N − p·T − q·B)·L / √(1 + p² + q²)),
+///              p = depth · (h(u + 1, v) − h(u − 1, v)) / 2 and q alike along v, both within ±2
+///     emboss:  the step is h(u, v) less h a texel on towards the light; where it is more than 1/32 either way,
+///              N turns by `turn` towards L or away from it
+///
+/// with h in [0, 1]. L is the sum of the frame's directional lights, so that several act as the one that they add up
+/// to.
+struct Relief {
+  const HeightMap* heights = nullptr;  ///< null: none; must stay until the frame is drawn
+  ReliefKind kind = ReliefKind::bump;
+  Fixed<16> depth = Fixed<16>::from_int(1);  ///< bump: what the greatest height stands for, in texels: (0, 64]
+  Angle turn = Angle::from_degrees(40);      ///< emboss: (0°, 90°)
+};
+
+}  // namespace spanline

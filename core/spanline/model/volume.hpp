@@ -1,0 +1,41 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "spanline/math/vector.hpp"
+
+namespace spanline {
+
+/// A solid as a table: a cube of 2^log2_size cells a side, x fastest, then y, then z, repeated along all three.
+struct VolumeTexture {
+  static constexpr unsigned max_log2_size = 7;
+  std::uint8_t log2_size = 0;
+  std::span<const std::uint8_t> cells{};     ///< numbers of colours
+  std::span<const std::uint16_t> palette{};  ///< 256 of RGB565
+
+  [[nodiscard]] constexpr bool valid() const {
+    return log2_size <= max_log2_size && cells.size() >= std::size_t{1} << (3 * log2_size) && palette.size() == 256;
+  }
+};
+
+/// What says the colour of a point in a solid.
+enum class SolidSource : std::uint8_t {
+  none,      ///< no solid: colours and textures of the surface
+  table,     ///< `Volume::texture`
+  function,  ///< the function that a renderer's shader has (shade/volume.hpp)
+};
+
+/// A surface cut from a solid (volumetric texture, lecture 004): its colour is that of the solid at the point in the
+/// mesh's own space, which it keeps however the instance turns. The texture coordinates s, t, r of that point are
+/// origin + scale · 2^exponent · (x, y, z) of the mesh, world units before the instance's transform; 1 is the whole
+/// cube; below 2,048.
+struct Volume {
+  SolidSource source = SolidSource::none;
+  const VolumeTexture* texture = nullptr;  ///< of a table; must stay until the frame is drawn
+  Q16_16 scale = Q16_16::from_int(1);
+  std::int8_t exponent = 0;  ///< [−30, 30]
+  Position origin{};
+};
+
+}  // namespace spanline
