@@ -7,6 +7,7 @@
 #include "base/failure.hpp"
 #include "base/output_file.hpp"
 #include "commands/commands.hpp"
+#include "commands/displacement_options.hpp"
 #include "convert/flash_mesh.hpp"
 #include "convert/header_writer.hpp"
 #include "convert/memory_report.hpp"
@@ -35,6 +36,7 @@ class ConvertCommand final : public Command {
     app.add_flag("--mipmap", mip_map_, "with all smaller levels of the texture");
     app.add_flag("--resize", resize_, "makes the image's sides powers of two that a texture may have");
     app.add_option("--wrap", wrap_, "beyond the texture's edge: repeat (default) or clamp")->type_name("repeat|clamp");
+    add_displacement_options(app, displacement_, "Displacement");
     app.add_flag("--bsp", bsp_, "with a BSP tree (not available yet)");
     app.add_option("--simplify", simplify_, "to at most N triangles (not available yet)")->type_name("N");
   }
@@ -45,12 +47,16 @@ class ConvertCommand final : public Command {
     if (name_ && !is_identifier(*name_)) throw UsageError("--name: '" + *name_ + "' is no name for a C++ object");
     if (output_.empty()) throw UsageError("-o: the name is empty");
     if (same_file(output_, model_)) throw UsageError("-o names the model itself");
-    if (is_image_name(model_)) return convert_image();
-    if (materials_) return convert_parts();
+    const std::optional<DisplacementArguments> displacement = parse_displacement(displacement_);
+    if (is_image_name(model_)) {
+      if (displacement) throw UsageError("--displace goes with a model");
+      return convert_image();
+    }
+    if (materials_) return convert_parts(displacement);
     if (format_ || mip_map_ || resize_ || wrap_)
       throw UsageError("--format, --mipmap, --resize and --wrap go with an image or --materials");
     OutputFile file(output_);
-    const Scene scene = load();
+    const Scene scene = load(displacement);
     const CoreMesh mesh = to_valid_mesh(scene);
     file.write(write_header(mesh, name_.value_or(identifier_from(output_)),
                             std::filesystem::path(model_).filename().string()));
@@ -77,11 +83,12 @@ class ConvertCommand final : public Command {
     std::fputs(texture_report(texture).c_str(), stdout);
   }
 
-  void convert_parts() const {
+  void convert_parts(const std::optional<DisplacementArguments>& displacement) const {
     const TextureOptions options = texture_options();
     const std::optional<Wrap> wrap = wrap_ ? std::optional(parse_wrap("--wrap", *wrap_)) : std::nullopt;
     OutputFile file(output_);
     Scene scene = import_model(model_);
+    if (displacement) scene = displaced(scene, model_, *displacement);
     if (wrap)
       for (Scene::Part& part : scene.parts) part.wrap_s = part.wrap_t = *wrap;
     complete_vertex_normals(scene);
@@ -104,8 +111,9 @@ class ConvertCommand final : public Command {
     return options;
   }
 
-  [[nodiscard]] Scene load() const {
+  [[nodiscard]] Scene load(const std::optional<DisplacementArguments>& displacement) const {
     Scene scene = import_model(model_);
+    if (displacement) scene = displaced(scene, model_, *displacement);
     if (!textured_)
       scene.texture_points.clear();
     else if (scene.texture_points.empty())
@@ -134,6 +142,7 @@ class ConvertCommand final : public Command {
   }
 
   std::string model_, output_;
+  DisplacementTexts displacement_;
   std::optional<std::string> name_, simplify_, format_, wrap_;
   bool bsp_ = false, textured_ = false, materials_ = false, mip_map_ = false, resize_ = false;
 };

@@ -1,6 +1,7 @@
 #include "commands/render_options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -72,6 +73,15 @@ void add_drawing_options(CLI::App& command, RenderTexts& texts) {
       ->expected(1)
       ->take_all()
       ->group(group);
+  command
+      .add_option("--point-light", texts.point_lights,
+                  "a light at a point, faded to nothing at RANGE where that is given; up to 4 of them")
+      ->type_name("X,Y,Z[,RANGE]")
+      ->expected(1)
+      ->take_all()
+      ->group(group);
+  command.add_option("--specular", texts.specular, "white highlights (0)")->type_name("0..1")->group(group);
+  command.add_option("--shininess", texts.shininess, "how small they are (32)")->type_name("1..128")->group(group);
   command.add_option("--ambient", texts.ambient, "ambient light")->type_name("0..1")->group(group);
   command.add_option("--background", texts.background, "colour (000000)")->type_name("RRGGBB")->group(group);
   command.add_option("--pick", texts.pick, "prints the triangle at a pixel, numbered from 1, and its depth")
@@ -79,6 +89,22 @@ void add_drawing_options(CLI::App& command, RenderTexts& texts) {
       ->group(group);
   command.add_option("--texture", texts.texture, "PNG or JPEG for what has no texture of its own")
       ->type_name("FILE")
+      ->group(group);
+  command
+      .add_option("--environment", texts.environment, "PNG or JPEG of the surroundings as a mirror sphere shows them")
+      ->type_name("FILE")
+      ->group(group);
+  command.add_option("--bump", texts.bump, "PNG or JPEG of heights that the light sees")
+      ->type_name("FILE")
+      ->group(group);
+  command.add_option("--bump-depth", texts.relief_depth, "what white stands for, in texels (4)")
+      ->type_name("0..64")
+      ->group(group);
+  command.add_option("--emboss", texts.emboss, "PNG or JPEG whose edges catch the light")
+      ->type_name("FILE")
+      ->group(group);
+  command.add_option("--solid", texts.solid, "the model is cut from this")
+      ->type_name("wood|marble|checks")
       ->group(group);
   command.add_option("--filter", texts.filter, "of the texture (nearest)")->type_name("nearest|bilinear")->group(group);
   command.add_flag("--mipmap", texts.mipmap, "textures have smaller levels for what is far")->group(group);
@@ -177,14 +203,49 @@ void parse_texturing(const RenderTexts& texts, RenderArguments& arguments) {
   if (texts.fog) arguments.fog = parse_fog(*texts.fog);
 }
 
+/// What surfaces that are worked out pixel by pixel do not go with.
+void refuse_effects(const RenderTexts& texts, const std::string& options) {
+  if (texts.environment || texts.filter || texts.mipmap || texts.resize || texts.wrap)
+    throw NotAvailable("--environment, --filter, --mipmap, --resize and --wrap with " + options);
+  if (texts.fog || texts.dither || texts.specular || !texts.point_lights.empty())
+    throw NotAvailable("--fog, --dither, --specular and --point-light with " + options);
+}
+
+void parse_solid(const RenderTexts& texts, RenderArguments& arguments) {
+  if (!texts.solid) return;
+  arguments.solid = make_solid(*texts.solid);
+  if (texts.texture || texts.bump || texts.emboss)
+    throw UsageError("--solid: goes without --texture, --bump and --emboss");
+  refuse_effects(texts, "--solid");
+}
+
+void parse_relief(const RenderTexts& texts, RenderArguments& arguments) {
+  if (texts.bump && texts.emboss) throw UsageError("--bump and --emboss: one at a time");
+  if (texts.relief_depth && !texts.bump) throw UsageError("--bump-depth wants heights (--bump FILE)");
+  arguments.heights = texts.bump ? texts.bump : texts.emboss;
+  if (texts.emboss) arguments.relief_kind = ReliefKind::emboss;
+  arguments.relief_depth = optional_number("--bump-depth", texts.relief_depth).value_or(4);
+  if (arguments.relief_depth <= 0 || arguments.relief_depth > 64)
+    throw UsageError("--bump-depth: must lie above 0 and at most at 64");
+  if (!arguments.heights) return;
+  refuse_effects(texts, "--bump or --emboss");
+}
+
 void parse_drawing(const RenderTexts& texts, RenderArguments& arguments) {
   using Sense = DepthSense;
   if (texts.size) arguments.size = parse_size("--size", *texts.size);
   arguments.visibility = &find_visibility(texts.visibility.value_or("scanline-z"));
   if (texts.shade) arguments.shading = &find_shading(*texts.shade);
+  if (texts.texture && texts.environment) throw UsageError("--texture and --environment: one at a time");
   arguments.texture = texts.texture;
-  if (arguments.shading == nullptr && arguments.texture) arguments.shading = &find_shading("texture");
+  arguments.environment = texts.environment;
+  if (texts.environment && arguments.shading != nullptr && !arguments.shading->textured)
+    throw UsageError("--environment goes with --shade texture");
+  if (arguments.shading == nullptr && (arguments.texture || arguments.environment))
+    arguments.shading = &find_shading("texture");
   parse_texturing(texts, arguments);
+  parse_relief(texts, arguments);
+  parse_solid(texts, arguments);
   if (texts.depth)
     arguments.depth_bits = parse_choice("--depth", *texts.depth, std::array{std::pair{"16", 16}, std::pair{"24", 24}});
   if (texts.depth_sense)
@@ -198,7 +259,32 @@ void parse_drawing(const RenderTexts& texts, RenderArguments& arguments) {
         std::array{std::pair{"back", Cull::back}, std::pair{"front", Cull::front}, std::pair{"none", Cull::none}});
 }
 
+/// X,Y,Z or X,Y,Z,RANGE.
+ScenePointLight parse_point_light(const std::string& text) {
+  const std::string option = "--point-light";
+  const bool ranged = std::count(text.begin(), text.end(), ',') == 3;
+  const std::size_t last = ranged ? text.rfind(',') : text.size();
+  ScenePointLight light{parse_vector(option, text.substr(0, last))};
+  if (!ranged) return light;
+  light.range = parse_number(option, text.substr(last + 1));
+  if (light.range <= 0) throw UsageError(option + ": the range of '" + text + "' must be above 0");
+  return light;
+}
+
+void parse_surface_light(const RenderTexts& texts, RenderArguments& arguments) {
+  if (texts.point_lights.size() > Lighting::max_lights)
+    throw UsageError("--point-light: at most " + std::to_string(Lighting::max_lights) + " lights");
+  for (const std::string& light : texts.point_lights) arguments.point_lights.push_back(parse_point_light(light));
+  arguments.specular = optional_number("--specular", texts.specular).value_or(0);
+  if (arguments.specular < 0 || arguments.specular > 1) throw UsageError("--specular: must lie between 0 and 1");
+  if (texts.shininess) {
+    if (!texts.specular) throw UsageError("--shininess wants highlights (--specular 0..1)");
+    arguments.shininess = parse_integer("--shininess", *texts.shininess, 1, 128);
+  }
+}
+
 void parse_light(const RenderTexts& texts, RenderArguments& arguments) {
+  parse_surface_light(texts, arguments);
   if (texts.lights.size() > Lighting::max_lights)
     throw UsageError("--light: at most " + std::to_string(Lighting::max_lights) + " lights");
   for (const std::string& light : texts.lights) {
@@ -296,6 +382,7 @@ void add_render_options(CLI::App& command, RenderTexts& texts) {
   add_output_options(command, texts);
   add_camera_options(command, texts);
   add_drawing_options(command, texts);
+  add_displacement_options(command, texts.displacement, "Displacement");
   add_transparency_options(command, texts);
   add_later_options(command, texts);
 }
@@ -307,6 +394,7 @@ RenderArguments parse_render_arguments(const RenderTexts& texts) {
   parse_drawing(texts, arguments);
   arguments.view = parse_view(texts);
   parse_light(texts, arguments);
+  arguments.displacement = parse_displacement(texts.displacement);
   parse_panel(texts, arguments);
   parse_transparency(texts, arguments);
   parse_pick(texts, arguments);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "commands/displacement_options.hpp"
 #include "render/render_arguments.hpp"
 
 namespace CLI {
@@ -17,11 +18,14 @@ struct RenderTexts {
   std::string model, output;
   Text size, eye, target, up, field_of_view, near_plane, far_plane, ortho;
   Text visibility, depth, depth_sense, band, cull, shade;
-  std::vector<std::string> lights;
+  std::vector<std::string> lights, point_lights;
+  Text specular, shininess;
   Text ambient, background, panel;
   Text depth_output, ids_output, statistics_output, turntable;
   // Options of the command line that later versions fill.
-  Text structure, pick, texture, filter, wrap, opacity, transparency, samples, fog;
+  Text structure, pick, texture, environment, bump, emboss, relief_depth, solid, filter, wrap, opacity, transparency,
+      samples, fog;
+  DisplacementTexts displacement;
   bool wireframe = false, mipmap = false, resize = false, dither = false;
 };
 

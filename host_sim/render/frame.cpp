@@ -1,6 +1,7 @@
 #include "render/frame.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/failure.hpp"
 #include "registry/visibility_list.hpp"
@@ -131,6 +132,17 @@ std::vector<DirectionalLight> to_core_lights(const SceneLight& light) {
   return lights;
 }
 
+std::vector<PointLight> to_core_points(const SceneLight& light) {
+  std::vector<PointLight> points;
+  for (const ScenePointLight& point : light.points) {
+    const Vector3 at = point.position;
+    points.push_back({{to_fixed<Q16_16>(at.x), to_fixed<Q16_16>(at.y), to_fixed<Q16_16>(at.z)},
+                      to_fixed<Fixed<16>>(light.intensity),
+                      to_fixed<Q16_16>(point.range)});
+  }
+  return points;
+}
+
 std::vector<std::pair<std::string, std::uint64_t>> named_peaks(const PoolPeaks& peaks) {
   return {{"instances", peaks.instances},   {"vertices", peaks.vertices},
           {"shades", peaks.shades},         {"textures", peaks.textures},
@@ -162,13 +174,20 @@ class FrameDrawing {
       triangles_ += mesh.indices.size() / 3;
       meshes_.push_back(mesh.view());
     }
+    refuse_mixtures(meshes);
     const CoreMesh& first = meshes.front();
     // Without normals every vertex is fully lit: only colours of vertices call for interpolation then.
     const bool smooth = request.smooth && !(first.vertex_normals.empty() && first.vertex_colours.empty());
     Material material{.shading = smooth ? ShadingMode::gouraud : ShadingMode::flat};
+    material.texturing.coordinates = request.coordinates;
     material.texturing.filter = request.filter;
     if (request.mip_map) material.texturing.mip_mapping = MipMapping::span;
     material.transparency = request.transparency;
+    material.relief = request.relief;
+    material.volume = request.volume;
+    const auto shine = static_cast<std::uint8_t>(std::lround(request.specular * 255));
+    material.specular = {shine, shine, shine};
+    material.shininess = static_cast<std::uint8_t>(request.shininess);
     for (const CoreMesh& mesh : meshes) {
       const FrameTexture texture = texture_of(mesh);
       material.colour = mesh.colour;
@@ -181,7 +200,8 @@ class FrameDrawing {
 
   Frame draw() {
     const std::vector<DirectionalLight> lights = to_core_lights(request_.light);
-    set_up(lights);
+    const std::vector<PointLight> points = to_core_points(request_.light);
+    set_up(lights, points);
     Frame frame;
     frame.size = request_.size;
     draw_colours<Colours<Depth, Visibility>>(frame);
@@ -190,7 +210,7 @@ class FrameDrawing {
   }
 
   PickedPixel pick(int x, int y) {
-    set_up({});
+    set_up({}, {});
     Pass<IdTraits<Depth, true, Visibility>> pass(meshes_, settings_, materials_);
     Picked<Depth> picked;
     pass.run(capacity_, memory_, [&](auto& renderer) { return spanline::pick(renderer, x, y, picked); });
@@ -198,13 +218,26 @@ class FrameDrawing {
   }
 
  private:
+  /// What the core has no shader for, by the names of its options.
+  void refuse_mixtures(const std::vector<CoreMesh>& meshes) const {
+    const auto any = [&](auto holds) { return std::any_of(meshes.begin(), meshes.end(), holds); };
+    const bool pixel_by_pixel = request_.relief.heights != nullptr || request_.volume.source != SolidSource::none;
+    if (pixel_by_pixel && any([this](const CoreMesh& mesh) {
+          const Texture* texture = texture_of(mesh).texture;
+          return mesh.opacity < 255 || !mesh.vertex_opacities.empty() || (texture != nullptr && texture->has_alpha());
+        }))
+      throw NotAvailable("--bump, --emboss and --solid on what is seen through");
+    if ((request_.specular > 0 || !request_.light.points.empty()) &&
+        any([](const CoreMesh& mesh) { return !mesh.vertex_opacities.empty(); }))
+      throw NotAvailable("--specular and --point-light on vertices with opacities");
+  }
   [[nodiscard]] FrameTexture texture_of(const CoreMesh& mesh) const {
     return mesh.part < request_.textures.size() ? request_.textures[mesh.part] : FrameTexture{};
   }
 
-  void set_up(const std::vector<DirectionalLight>& lights) {
+  void set_up(const std::vector<DirectionalLight>& lights, const std::vector<PointLight>& points) {
     settings_.camera = request_.camera;
-    settings_.lighting = {to_fixed<Fixed<16>>(request_.light.ambient), lights};
+    settings_.lighting = {to_fixed<Fixed<16>>(request_.light.ambient), lights, points};
     settings_.background = request_.background;
     settings_.cull = request_.cull;
     settings_.fog = request_.fog;
@@ -314,7 +347,8 @@ Result FrameRenderer::with_drawing(const FrameRequest& request, F f) {
   capacity_.height = static_cast<std::uint16_t>(request.size.height);
   capacity_.band_lines = static_cast<std::uint16_t>(request.band_lines);
   capacity_.colour_bands = 1;
-  if (!request.textures.empty()) capacity_.textures = std::max(capacity_.textures, capacity_.vertices);
+  if (!request.textures.empty() || request.relief.heights != nullptr || request.volume.source != SolidSource::none)
+    capacity_.textures = std::max(capacity_.textures, capacity_.vertices);
   const bool with_opacities =
       std::any_of(meshes_.begin(), meshes_.end(), [](const CoreMesh& mesh) { return !mesh.vertex_opacities.empty(); });
   if (request.smooth || with_opacities) capacity_.shades = std::max(capacity_.shades, capacity_.vertices);

@@ -31,12 +31,17 @@ struct FrameRequest {
   Cull cull = Cull::back;
   bool smooth = false;                       ///< Gouraud
   std::span<const FrameTexture> textures{};  ///< by a mesh's part; empty: none
+  TextureCoordinates coordinates = TextureCoordinates::mesh;
   TextureFilter filter = TextureFilter::nearest;
+  Relief relief;  ///< without heights: none
+  Volume volume;
   bool mip_map = false;  ///< a level for each 16 columns of a line
   Fog fog;
   bool dither = false;
   Camera camera;
-  SceneLight light;
+  SceneLight light;     ///< point lights in the core's world
+  double specular = 0;  ///< white highlights, [0, 1]
+  int shininess = 32;
   Rgb888 background;
   Transparency transparency = Transparency::blend;  ///< of all that is not opaque
   int samples = 1;                                  ///< a pixel: 1, 4, 8 or 16

@@ -4,8 +4,11 @@
 #include <vector>
 
 #include "base/parse.hpp"
+#include "image/solid_image.hpp"
 #include "panels/panel_registry.hpp"
 #include "registry/registry.hpp"
+#include "render/displacement_arguments.hpp"
+#include "scene/lighting.hpp"
 #include "scene/view.hpp"
 #include "scene/world.hpp"
 #include "spanline/frame/renderer.hpp"
@@ -23,14 +26,23 @@ struct RenderArguments {
   TextureFilter filter = TextureFilter::nearest;
   bool for_textures = false;  ///< any of the options that go with textures is given
   bool mip_map = false, resize = false, dither = false;
-  std::optional<Wrap> wrap;  ///< by what the model says where it is not given
+  std::optional<Wrap> wrap;                ///< by what the model says where it is not given
+  std::optional<std::string> environment;  ///< a file, in the place of all textures
+  std::optional<std::string> heights;      ///< a file of relief
+  ReliefKind relief_kind = ReliefKind::bump;
+  double relief_depth = 4;  ///< texels
+  std::optional<SolidImage> solid;
+  std::optional<DisplacementArguments> displacement;
   std::optional<FogRequest> fog;
   std::optional<int> depth_bits;  ///< by the algorithm where it is not given
   DepthSense depth_sense = DepthSense::smaller_is_nearer;
   int band_lines = 16;
   Cull cull = Cull::back;
   std::vector<Vector3> lights;
+  std::vector<ScenePointLight> point_lights;
   std::optional<double> ambient;
+  double specular = 0;  ///< white highlights
+  int shininess = 32;
   Rgb888 background{0, 0, 0};
   double opacity = 1;  ///< multiplies the model's own
   Transparency transparency = Transparency::blend;

@@ -1,7 +1,10 @@
 #include "render/setup.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "base/failure.hpp"
 
 namespace spanline::sim {
 
@@ -10,9 +13,14 @@ const ShadingEntry& default_shading(const Scene& scene) {
   return find_shading(scene.normals_from_file ? "gouraud" : "flat");
 }
 
-Scene prepared_for(Scene scene, const ShadingEntry& shading) {
+Scene prepared_for(Scene scene, const ShadingEntry& shading, bool pixel_by_pixel) {
   if (shading.textured) {
     // Colours of materials are those of the parts, which textures are multiplied with.
+    scene.polygon_colours.clear();
+  } else if (pixel_by_pixel) {
+    simplify_colours(scene);
+    if (!scene.polygon_colours.empty()) scene.colour = {255, 255, 255};
+    scene.vertex_colours.clear();
     scene.polygon_colours.clear();
   } else {
     scene.texture_points.clear();
@@ -33,6 +41,23 @@ Scene prepared_for(Scene scene, const ShadingEntry& shading) {
   return welded(scene);
 }
 
+namespace {
+
+/// Point lights where the core's world has them.
+SceneLight in_world(SceneLight light, const World& world) {
+  constexpr double greatest = 32000;  // of Q16.16, with room for differences
+  for (ScenePointLight& point : light.points) {
+    point.position = world.to_world(point.position);
+    for (const double c : {point.position.x, point.position.y, point.position.z})
+      if (std::abs(c) > greatest)
+        throw UsageError("--point-light: too far away from the model for fixed-point numbers");
+    if (point.range > 0) point.range = std::clamp(std::ldexp(point.range, world.exponent), 1.0 / 65536, greatest);
+  }
+  return light;
+}
+
+}  // namespace
+
 FrameRequest make_request(const RenderArguments& arguments, const ShadingEntry& shading, const View& view,
                           const World& world, const SceneLight& light) {
   FrameRequest request;
@@ -49,7 +74,11 @@ FrameRequest make_request(const RenderArguments& arguments, const ShadingEntry& 
   request.dither = arguments.dither;
   if (arguments.fog) request.fog = to_fog(*arguments.fog, view, world);
   request.camera = to_camera(view, world, arguments.size);
-  request.light = shading.lit ? light : SceneLight{};
+  request.light = shading.lit ? in_world(light, world) : SceneLight{};
+  if (shading.lit) {
+    request.specular = arguments.specular;
+    request.shininess = arguments.shininess;
+  }
   request.background = arguments.background;
   request.transparency = arguments.transparency;
   request.samples = arguments.samples;

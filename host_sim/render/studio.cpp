@@ -5,22 +5,39 @@
 #include "base/failure.hpp"
 #include "import/model_file.hpp"
 #include "render/setup.hpp"
+#include "scene/core_values.hpp"
 
 namespace spanline::sim {
 
 Studio::Studio(const RenderArguments& arguments) : arguments_(arguments), scene_(import_model(arguments.model)) {
+  if (arguments.solid)
+    for (Scene::Part& part : scene_.parts) part.image = Scene::Part::no_image;
+  if (arguments.displacement) scene_ = displaced(scene_, arguments.model, *arguments.displacement);
   shading_ = arguments.shading != nullptr ? arguments.shading : &default_shading(scene_);
-  if (shading_->textured)
+  if (arguments.environment)
+    read_environment();
+  else if (shading_->textured)
     read_textures();
   else if (arguments.for_textures)
     throw UsageError("--filter, --mipmap, --resize and --wrap want a texture: one of the model's, or --texture FILE");
+  if (arguments.heights) {
+    if (scene_.texture_points.empty()) throw file_failure(arguments.model, "has no texture coordinates");
+    heights_ = read_heights(*arguments.heights);
+    height_map_ = heights_.view();
+  }
   fade(scene_, arguments.opacity);
-  scene_ = prepared_for(std::move(scene_), *shading_);
+  scene_ = prepared_for(std::move(scene_), *shading_, arguments.heights || arguments.solid);
   view_ = resolve_view(arguments.view, scene_, arguments.size, arguments.turntable_frames > 0);
-  light_ = resolve_light(arguments.lights, arguments.ambient, view_);
+  light_ = resolve_light(arguments.lights, arguments.point_lights, arguments.ambient, view_);
   world_ = choose_world(view_, scene_, arguments.size);
+  if (arguments.solid) solid_ = arguments.solid->view();
   renderer_.emplace(to_core_meshes(scene_, world_));
   if (arguments.panel != nullptr) panel_.emplace(*arguments.panel);
+}
+
+void Studio::read_environment() {
+  use_environment(scene_, *arguments_.environment);
+  textures_ = PartTextures(scene_, {.mip_map = arguments_.mip_map, .resize = arguments_.resize});
 }
 
 void Studio::read_textures() {
@@ -34,8 +51,11 @@ void Studio::read_textures() {
 
 Frame Studio::draw(double turns) {
   SceneLight light = light_;
-  if (turns != 0)
+  if (turns != 0) {
     for (Vector3& towards : light.towards) towards = turned(view_, towards, turns);
+    for (ScenePointLight& point : light.points)
+      point.position = view_.target + turned(view_, point.position - view_.target, turns);
+  }
   const View view = turns == 0 ? view_ : turned(view_, turns);
   return renderer_->draw(request(view, light));
 }
@@ -45,6 +65,13 @@ PickedPixel Studio::pick(int x, int y) { return renderer_->pick(request(view_, l
 FrameRequest Studio::request(const View& view, const SceneLight& light) const {
   FrameRequest request = make_request(arguments_, *shading_, view, world_, light);
   request.textures = textures_.of_part();
+  if (arguments_.environment) request.coordinates = TextureCoordinates::sphere_map;
+  if (arguments_.solid) request.volume = to_volume(solid_, scene_, world_);
+  if (arguments_.heights) {
+    request.relief.heights = &height_map_;
+    request.relief.kind = arguments_.relief_kind;
+    request.relief.depth = to_fixed<Fixed<16>>(arguments_.relief_depth);
+  }
   return request;
 }
 

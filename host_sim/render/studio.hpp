@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include "image/height_image.hpp"
 #include "render/frame.hpp"
 #include "render/panel_picture.hpp"
 #include "render/part_textures.hpp"
@@ -24,6 +25,7 @@ class Studio {
   [[nodiscard]] Picture picture(const Frame& frame);
 
  private:
+  void read_environment();
   void read_textures();
   [[nodiscard]] FrameRequest request(const View& view, const SceneLight& light) const;
 
@@ -36,6 +38,9 @@ class Studio {
   std::optional<FrameRenderer> renderer_;
   std::optional<DeskPanel> panel_;
   PartTextures textures_;
+  HeightImage heights_;
+  HeightMap height_map_;
+  VolumeTexture solid_;
 };
 
 }  // namespace spanline::sim

@@ -83,4 +83,18 @@ void use_texture(Scene& scene, const std::string& path) {
   }
 }
 
+void use_environment(Scene& scene, const std::string& path) {
+  if (scene.parts.empty()) scene.parts.emplace_back();
+  scene.vertex_colours.clear();
+  scene.polygon_colours.clear();
+  scene.texture_points.clear();
+  scene.colour = {255, 255, 255};
+  scene.images = {{path, path, {}}};
+  for (Scene::Part& part : scene.parts) {
+    part.image = 0;
+    part.colour = {255, 255, 255};
+    part.alpha = AlphaUse::opaque;
+  }
+}
+
 }  // namespace spanline::sim

@@ -30,4 +30,7 @@ struct SceneTextures {
 /// Gives an image file to every part without a texture of its own; colours of the model give way to it there.
 void use_texture(Scene& scene, const std::string& path);
 
+/// Gives an image file to every part, whatever it had; colours and coordinates give way to it.
+void use_environment(Scene& scene, const std::string& path);
+
 }  // namespace spanline::sim

@@ -77,6 +77,22 @@ Camera to_camera(const View& given, const World& world, Size size) {
   return camera;
 }
 
+Volume to_volume(const VolumeTexture& solid, const Scene& scene, const World& world) {
+  const BoundingBox box = bounding_box(scene);
+  const Vector3 low = world.to_world(box.low), high = world.to_world(box.high), middle = (low + high) * 0.5;
+  const double side = std::max({high.x - low.x, high.y - low.y, high.z - low.z, 1.0 / 65536});
+  Volume volume;
+  volume.source = SolidSource::table;
+  volume.texture = &solid;
+  int exponent = 0;
+  const double scale = std::frexp(1 / side, &exponent);
+  volume.scale = to_fixed<Q16_16>(scale);
+  volume.exponent = static_cast<std::int8_t>(exponent);
+  const auto origin = [&](double centre) { return to_fixed<Q16_16>(0.5 - centre / side); };
+  volume.origin = {origin(middle.x), origin(middle.y), origin(middle.z)};
+  return volume;
+}
+
 Fog to_fog(const FogRequest& fog, const View& view, const World& world) {
   // The eye of an orthographic view may have been moved back.
   const double moved = with_positive_near(view).near_plane - view.near_plane;

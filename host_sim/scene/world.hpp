@@ -5,6 +5,7 @@
 #include "scene/view.hpp"
 #include "spanline/model/camera.hpp"
 #include "spanline/model/fog.hpp"
+#include "spanline/model/volume.hpp"
 
 namespace spanline::sim {
 
@@ -31,6 +32,9 @@ struct FogRequest {
 
 /// The core's fog for that view, cut to the numbers that it has.
 [[nodiscard]] Fog to_fog(const FogRequest& fog, const View& view, const World& world);
+
+/// The model cut from a solid that is as large as its box, whose middle it has in common.
+[[nodiscard]] Volume to_volume(const VolumeTexture& solid, const Scene& scene, const World& world);
 
 /// The core's camera. Throws UsageError if the view is too narrow or its planes lie too far apart for fixed point.
 [[nodiscard]] Camera to_camera(const View& view, const World& world, Size size);

@@ -82,7 +82,7 @@ class Viewer {
     arguments.background = {24, 28, 40};
     const View view = orbit_.view();
     const auto start = std::chrono::steady_clock::now();
-    request_ = make_request(arguments, shading, view, world_, resolve_light({}, std::nullopt, view));
+    request_ = make_request(arguments, shading, view, world_, resolve_light({}, {}, std::nullopt, view));
     if (shading.textured) request_.textures = textures_.of_part();
     const Frame frame = renderer_->draw(request_);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <sstream>
 
@@ -6,6 +7,7 @@
 #include "convert/flash_mesh.hpp"
 #include "convert/header_writer.hpp"
 #include "model_files.hpp"
+#include "scene/displacement.hpp"
 #include "spanline/model/validate.hpp"
 #include "tool.hpp"
 
@@ -101,6 +103,81 @@ TEST(Convert, LimitsAreNamed) {
   EXPECT_NE(message_for(far_away), "");
 }
 
+/// A square of two triangles whose texture coordinates are its own, and heights that rise to the right.
+Scene textured_sheet() {
+  Scene scene;
+  scene.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  scene.texture_points = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
+  scene.triangles = {{0, 1, 2}, {0, 2, 3}};
+  scene.polygon_normals = {{0, 0, 1}, {0, 0, 1}};
+  return scene;
+}
+HeightImage slope() {
+  HeightImage heights{4, 0, {}};
+  for (int i = 0; i < 16; ++i) heights.heights.push_back(static_cast<std::uint8_t>(i * 16));
+  return heights;
+}
+
+TEST(Displacement, PointsMoveAlongTheirNormalsByTheHeight) {
+  const HeightImage heights = slope();
+  const Scene moved = displaced(textured_sheet(), heights, {0.5, 3});
+  EXPECT_EQ(moved.triangles.size(), 2U * 64);
+  // 9 × 9 points of a square, shared by the triangles.
+  ASSERT_EQ(moved.positions.size(), 81U);
+  for (std::size_t i = 0; i < moved.positions.size(); ++i) {
+    const Vector3 p = moved.positions[i];
+    const TexturePoint t = moved.texture_points[i];
+    EXPECT_EQ(p.x, t.s);
+    EXPECT_EQ(p.y, 1 - t.t);
+    EXPECT_NEAR(p.z, 0.5 * heights.at(t.s, t.t), 1e-12);
+    // Between the first texel's middle and the last's the slope is 16/255 a texel, 16 texels a unit.
+    if (t.s < 0.125 || t.s > 0.875) continue;
+    EXPECT_NEAR(p.z, 0.5 * (t.s * 16 - 0.5) * 16 / 255, 1e-12);
+  }
+  for (std::size_t i = 0; i < moved.triangles.size(); ++i) {
+    const double middle = (moved.positions[moved.triangles[i][0]].x + moved.positions[moved.triangles[i][1]].x +
+                           moved.positions[moved.triangles[i][2]].x) /
+                          3;
+    const double rise = 0.5 * 256 / 255;
+    if (middle < 0.13 || middle > 0.87) continue;
+    EXPECT_NEAR(moved.polygon_normals[i].x / moved.polygon_normals[i].z, -rise, 1e-9) << middle;
+  }
+  EXPECT_EQ(moved.vertex_normals.size(), moved.positions.size());
+}
+
+TEST(Displacement, SeamsStayClosed) {
+  // Two halves of a sheet that share an edge in space and not in the texture.
+  Scene scene = textured_sheet();
+  scene.positions.insert(scene.positions.end(), {{1, 0, 0}, {2, 0, 0.5}, {2, 1, 0.5}, {1, 1, 0}});
+  scene.texture_points.insert(scene.texture_points.end(), {{0.3, 1}, {0.6, 1}, {0.6, 0}, {0.3, 0}});
+  scene.triangles.insert(scene.triangles.end(), {{4, 5, 6}, {4, 6, 7}});
+  scene.polygon_normals.resize(4, {0, 0, 1});
+  const Scene moved = displaced(scene, slope(), {0.3, 2});
+  int on_seam = 0;
+  for (std::size_t i = 0; i < moved.positions.size(); ++i) {
+    if (moved.texture_points[i].s != 1) continue;
+    ++on_seam;
+    int twins = 0;
+    for (std::size_t k = 0; k < moved.positions.size(); ++k)
+      twins += moved.texture_points[k].s == 0.3 && moved.positions[k] == moved.positions[i] ? 1 : 0;
+    EXPECT_EQ(twins, 1);
+  }
+  EXPECT_EQ(on_seam, 5);
+}
+
+TEST(Displacement, PartsAndColoursFollowTheirTriangles) {
+  Scene scene = textured_sheet();
+  scene.parts = {{0, 255}, {1, 128}};
+  scene.polygon_colours = {{255, 0, 0}, {0, 0, 255}};
+  const Scene moved = displaced(scene, slope(), {0, 1});
+  EXPECT_EQ(moved.parts, (std::vector<Scene::Part>{{0, 255}, {4, 128}}));
+  EXPECT_EQ(moved.polygon_colours[3], (Rgb888{255, 0, 0}));
+  EXPECT_EQ(moved.polygon_colours[4], (Rgb888{0, 0, 255}));
+  EXPECT_THROW(static_cast<void>(displaced(scene, slope(), {0, 12})), Failure);
+  scene.texture_points.clear();
+  EXPECT_THROW(static_cast<void>(displaced(scene, slope(), {0, 1})), Failure);
+}
+
 TEST(Convert, Identifiers) {
   for (const char* name : {"a", "bunny_2", "Mesh", "class_"}) EXPECT_TRUE(is_identifier(name)) << name;
   for (const char* name : {"", "2a", "_a", "a__b", "class", "a-b", "co_await", "\xc3\xa4"})
@@ -155,6 +232,35 @@ TEST_F(ConvertTest, ImagesThatCannotBeTexturesAreRefusedByName) {
   expect_refused(run({"convert", model, "-o", in_folder("t.hpp"), "--mipmap"}), 2, before);
   expect_refused(run({"convert", model, "-o", in_folder("t.hpp"), "--textured"}), 1, before);
   EXPECT_EQ(run({"convert", picture, "-o", in_folder("t.hpp"), "--resize"}).exit_code, 0);
+}
+
+TEST_F(ConvertTest, DisplacementIsMadeOrRefusedByName) {
+  const std::string model = make_file("a.obj", textured_square()), bare = make_file("b.obj", cube_obj());
+  const std::string heights = make_file("h.png", png_bytes(numbered_picture(16, 8)));
+  const std::string odd = make_file("odd.png", png_bytes(numbered_picture(12, 8)));
+  const auto convert = [&](const std::string& from, std::vector<std::string> options) {
+    options.insert(options.begin(), {"convert", from, "-o", in_folder("mesh.hpp")});
+    return run(options);
+  };
+  const ToolRun made = convert(model, {"--displace", heights, "--amount", "0.5", "--subdivide", "2"});
+  ASSERT_EQ(made.exit_code, 0) << made.errors;
+  // A square's 2 triangles become 32, of 3 indices in 2 bytes each.
+  EXPECT_NE(made.output.find(" 192 bytes"), std::string::npos) << made.output;
+  std::filesystem::remove(in_folder("mesh.hpp"));
+  const auto before = files();
+  const auto refused = [&](const ToolRun& result, const std::string& what) {
+    expect_refused(result, 1, before);
+    EXPECT_NE(result.errors.find(what), std::string::npos) << result.errors;
+  };
+  refused(convert(bare, {"--displace", heights, "--amount", "1"}), "b.obj: has no texture coordinates");
+  refused(convert(model, {"--displace", odd, "--amount", "1"}), "odd.png: is 12x8");
+  refused(convert(model, {"--displace", in_folder("none.png"), "--amount", "1"}), "none.png");
+  refused(convert(model, {"--displace", heights, "--amount", "1", "--subdivide", "8"}), "at most 65535");
+  expect_refused(convert(model, {"--displace", heights}), 2, before);
+  expect_refused(convert(model, {"--amount", "1"}), 2, before);
+  expect_refused(convert(model, {"--displace", heights, "--amount", "far"}), 2, before);
+  expect_refused(convert(model, {"--displace", heights, "--amount", "1", "--subdivide", "9"}), 2, before);
+  expect_refused(convert(heights, {"--displace", heights, "--amount", "1"}), 2, before);
 }
 
 TEST_F(ConvertTest, PrintsFlashAndRam) {

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "image/png.hpp"
+
 namespace spanline::sim::test {
 namespace {
 
@@ -117,6 +119,23 @@ std::string triangle_glb() {
 std::string cube_obj() {
   return "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
          "f 5 6 7 8\nf 2 1 4 3\nf 1 5 8 4\nf 6 2 3 7\nf 8 7 3 4\nf 1 2 6 5\n";
+}
+
+std::string textured_square() {
+  return "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
+}
+
+Picture numbered_picture(int width, int height) {
+  Picture picture(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      picture.at(x, y) = {static_cast<std::uint8_t>(x * 8), static_cast<std::uint8_t>(y * 8), 255};
+  return picture;
+}
+
+std::string png_bytes(const Picture& picture) {
+  const std::vector<std::byte> bytes = encode_png(picture);
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 }  // namespace spanline::sim::test

@@ -1,7 +1,9 @@
 #pragma once
 #include <string>
 
-/// Small model files, written as text by the tests that read them.
+#include "image/picture.hpp"
+
+/// Small model files and pictures, made by the tests that read them.
 namespace spanline::sim::test {
 
 /// A triangle (0,0,0) (1,0,0) (0,1,0) in each format.
@@ -24,5 +26,13 @@ namespace spanline::sim::test {
 
 /// A cube of edge 2 about the origin, six quadrilaterals counter-clockwise from outside.
 [[nodiscard]] std::string cube_obj();
+
+/// A square of two units that faces +z, its texture upright.
+[[nodiscard]] std::string textured_square();
+
+/// Each texel its own colour of five bits a channel.
+[[nodiscard]] Picture numbered_picture(int width, int height);
+/// A picture as a PNG file.
+[[nodiscard]] std::string png_bytes(const Picture& picture);
 
 }  // namespace spanline::sim::test

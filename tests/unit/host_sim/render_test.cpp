@@ -66,25 +66,6 @@ TEST_F(RenderTest, IdsCountTrianglesOfFansInFileOrder) {
   EXPECT_EQ(seen, (std::set<std::uint32_t>{0, 1, 2}));
 }
 
-/// A square of two units that faces +z, its texture upright.
-std::string textured_square() {
-  return "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
-}
-
-/// Each texel its own colour of five bits a channel.
-Picture numbered_picture(int width, int height) {
-  Picture picture(width, height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      picture.at(x, y) = {static_cast<std::uint8_t>(x * 8), static_cast<std::uint8_t>(y * 8), 255};
-  return picture;
-}
-
-std::string png_bytes(const Picture& picture) {
-  const std::vector<std::byte> bytes = encode_png(picture);
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
 TEST_F(RenderTest, ATextureLiesUprightOnTheModel) {
   const std::string model = make_file("a.obj", textured_square());
   const std::string texture = make_file("t.png", png_bytes(numbered_picture(16, 32)));
@@ -146,9 +127,30 @@ TEST_F(RenderTest, FiltersLevelsFogAndDitherReachThePicture) {
   EXPECT_EQ(draw({"--fog", "4,5,FF0000", "--shade", "unlit"}), draw({"--shade", "unlit"}));
   EXPECT_NE(draw({"--dither", "--texture", texture, "--light", "1,1,1"}),
             draw({"--texture", texture, "--light", "1,1,1"}));
+  // The numbers of its pixels are steep heights; as a texture they lie under their own relief.
+  const auto lit = [&](std::vector<std::string> more) {
+    more.insert(more.end(), {"--ambient", "0.2", "--light", "1,0,1"});
+    return render(model, more);
+  };
+  EXPECT_NE(lit({"--bump", texture}), lit({}));
+  EXPECT_NE(lit({"--bump", texture}), lit({"--bump", texture, "--bump-depth", "20"}));
+  EXPECT_NE(lit({"--emboss", texture, "--texture", texture}), lit({"--texture", texture}));
+  // Cubes of an eighth of the square's side: one field to the right, the other colour.
+  const Picture solid = draw({"--solid", "checks"});
+  EXPECT_LE(greatest_difference(solid.at(19, 19), {245, 240, 230}), 8);
+  EXPECT_EQ(solid.at(13, 19), solid.at(19, 13));
+  EXPECT_NE(solid.at(13, 19), solid.at(19, 19));
+  // A mirror that faces the eye shows what is behind the eye: the middle of the sphere's picture.
+  EXPECT_LE(greatest_difference(draw({"--environment", texture}).at(24, 24), numbered_picture(32, 32).at(16, 16)), 8);
   const auto before = files();
   for (const std::vector<std::string>& wrong :
        std::vector<std::vector<std::string>>{{"--filter", "bilinear"},
+                                             {"--environment", texture, "--texture", texture},
+                                             {"--bump", texture, "--emboss", texture},
+                                             {"--bump-depth", "2"},
+                                             {"--solid", "cheese"},
+                                             {"--solid", "wood", "--texture", texture},
+                                             {"--bump", texture, "--bump-depth", "65"},
                                              {"--mipmap"},
                                              {"--texture", texture, "--wrap", "mirror"},
                                              {"--fog", "1,2"},
@@ -211,6 +213,19 @@ TEST_F(RenderTest, LightAndColours) {
   // RGB565 keeps five bits of red.
   EXPECT_LE(greatest_difference(centre({"--shade", "flat", "--light", "0,0,-1", "--ambient", "0.5"}), {128, 0, 0}), 5);
   EXPECT_LE(greatest_difference(centre({"--shade", "gouraud", "--light", "0,1,1", "--ambient", "0"}), {180, 0, 0}), 8);
+  // A triangle's middle is (1/3, -1/3, 0): N·L is 0.905 there, and (1 - d²/range²)² is 0.482.
+  EXPECT_LE(greatest_difference(centre({"--shade", "flat", "--point-light", "0,0,1,2", "--ambient", "0"}), {111, 0, 0}),
+            8);
+  EXPECT_LE(greatest_difference(centre({"--shade", "flat", "--point-light", "0,0,1", "--ambient", "0"}), {231, 0, 0}),
+            8);
+  EXPECT_EQ(centre({"--shade", "flat", "--point-light", "0,0,-1", "--ambient", "0"}), (Rgb888{0, 0, 0}));
+  // The eye and the light look straight at it.
+  EXPECT_EQ(centre({"--shade", "flat", "--ortho", "3", "--light", "0,0,1", "--ambient", "0", "--specular", "1"}),
+            (Rgb888{255, 255, 255}));
+  EXPECT_LE(greatest_difference(centre({"--shade", "gouraud", "--ortho", "3", "--light", "0,0,1", "--ambient", "0",
+                                        "--specular", "0.5", "--shininess", "100"}),
+                                {255, 128, 128}),
+            8);
   EXPECT_LE(greatest_difference(render(model, with(front, {"--background", "336699"})).at(0, 0), {0x33, 0x66, 0x99}),
             5);
 }
