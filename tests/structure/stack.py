@@ -19,6 +19,9 @@ LIBGCC = {
     **dict.fromkeys(["__aeabi_uidiv", "__aeabi_idiv", "__aeabi_uidivmod", "__aeabi_idivmod"], 8),
     **dict.fromkeys(["__clzsi2", "__clzdi2", "__aeabi_llsl", "__aeabi_llsr", "__aeabi_lasr"], 8),
 }
+# Functions that are assembly alone, of whose frames gcc knows nothing: nine registers and what they keep besides
+# (core/spanline/visibility/*_rows_armv6m.hpp).
+NAKED = {"armv6m9ramp_rows": 9 * 4 + 32, "armv6m15flat_rows_short": 9 * 4 + 24, "armv6m14flat_rows_long": 9 * 4 + 24}
 INDIRECT = "__indirect_call"
 
 NODE = re.compile(r'^node: \{ title: "(?P<title>[^"]+)" label: "(?P<label>[^"]*)"')
@@ -45,7 +48,10 @@ def read_graph(files):
         for line in file.read_text(errors="replace").splitlines():
             if node := NODE.match(line):
                 function = functions.setdefault(node["title"], Function(node["title"]))
-                if frame := FRAME.search(node["label"]):
+                naked = next((size for name, size in NAKED.items() if name in node["title"]), None)
+                if naked is not None:
+                    function.frame = naked
+                elif frame := FRAME.search(node["label"]):
                     function.name = node["label"].split("\\n")[0]
                     function.frame = max(int(frame[1]), function.frame or 0)
                     function.dynamic |= frame[2] == "dynamic"

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 #include <utility>
@@ -111,11 +112,16 @@ class TriangleRows {
   template <class Surface, class CornersOf>
   static void draw_rows(ActiveTriangle& triangle, Surface& surface, const Target& target, std::int32_t before,
                         std::int32_t after, CornersOf& corners_of) {
-    if (triangle.flags.size() == ActiveTriangle::Size::small) {
-      fixed_rows<small_triangle::fraction_bits, Surface>(triangle, surface, target, before, after);
+    if constexpr (flat_in_assembly<Surface>) {
+      if (triangle.flags.size() != ActiveTriangle::Size::large)
+        return flat_rows(triangle, surface, target, before, after);
+    } else if (triangle.flags.size() == ActiveTriangle::Size::small) {
+      if constexpr (ramp_in_assembly<Surface>)
+        ramp_rows(triangle, surface, target, before, after);
+      else
+        fixed_rows<small_triangle::fraction_bits, Surface>(triangle, surface, target, before, after);
       return;
-    }
-    if (triangle.flags.size() == ActiveTriangle::Size::medium) {
+    } else if (triangle.flags.size() == ActiveTriangle::Size::medium) {
       fixed_rows<medium_triangle::fraction_bits, Surface>(triangle, surface, target, before, after);
       return;
     }
@@ -138,10 +144,6 @@ class TriangleRows {
   template <int FractionBits, class Surface>
   [[gnu::noinline]] static void fixed_rows(const ActiveTriangle& triangle, InFewRegisters<Surface> kept_surface,
                                            const Target& target, std::int32_t rows, std::int32_t rows_after) {
-    if constexpr (flat_in_assembly<Surface>)
-      return flat_rows<FractionBits>(triangle, kept_surface, target, rows, rows_after);
-    if constexpr (ramp_in_assembly<Surface, FractionBits>)
-      return ramp_rows(triangle, kept_surface, target, rows, rows_after);
     Surface surface = kept_surface;
     FixedEdges edges = triangle.fixed;
     std::uint32_t z = triangle.depth.at_origin;
@@ -214,79 +216,38 @@ class TriangleRows {
       return formats_in_assembly && decltype(std::declval<Surface>().source(0))::constant;
     return false;
   }();
-  template <class Surface, int FractionBits>
-  static constexpr bool ramp_in_assembly =
-      formats_in_assembly&& RampSurface<Surface>&& FractionBits == small_triangle::fraction_bits;
-
-  static std::uintptr_t distance(const Target& target) {
-    return reinterpret_cast<std::uintptr_t>(target.pixels) - reinterpret_cast<std::uintptr_t>(target.depth);
-  }
-
-  /// Draws with rows in assembly before and after the bend.
-  template <class Loop, class Draw>
-  [[gnu::always_inline]] static inline void both_parts(const ActiveTriangle& triangle, Loop& loop,
-                                                       std::int32_t rows_after, Draw draw) {
-    for (;;) {
-      if (loop.rows > 0) draw();
-      if (rows_after == 0) break;
-      loop.rows = rows_after;
-      rows_after = 0;
-      if (triangle.flags.bent()) continue;
-      const bool right_bends = triangle.flags.right_bends();
-      (right_bends ? loop.right : loop.left) = triangle.fixed.third;
-      (right_bends ? loop.right_step : loop.left_step) = triangle.fixed.third_step;
-    }
-  }
-
-  /// fixed_rows for one pixel value.
-  template <int FractionBits, class Surface>
-  [[gnu::always_inline]] static inline void flat_rows(const ActiveTriangle& triangle, const Surface& surface,
-                                                      const Target& target, std::int32_t rows,
-                                                      std::int32_t rows_after) {
-    const std::int32_t offset = (triangle.row - target.first_row) * target.width + triangle.origin;
-    armv6m::FlatRows loop{.left = triangle.fixed.left,
-                          .right = triangle.fixed.right,
-                          .z = triangle.depth.at_origin,
-                          .depth = target.depth + offset,
-                          .distance = distance(target),
-                          .dz = triangle.depth.dx,
-                          .pixel = surface.source(0).get(),
-                          .rows = rows,
-                          .left_step = triangle.fixed.left_step,
-                          .right_step = triangle.fixed.right_step,
-                          .dz_row = triangle.depth.dy,
-                          .width_bytes = word(target.width) * 2};
-    both_parts(triangle, loop, rows_after,
-               [&] { FractionBits == small_triangle::fraction_bits ? loop.draw_short() : loop.draw_long(); });
-  }
-
-  /// fixed_rows for small triangles with a ramp.
   template <class Surface>
-  [[gnu::always_inline]] static inline void ramp_rows(const ActiveTriangle& triangle, const Surface& surface,
-                                                      const Target& target, std::int32_t rows,
-                                                      std::int32_t rows_after) {
-    const std::int32_t offset = (triangle.row - target.first_row) * target.width + triangle.origin;
-    armv6m::RampRows loop{.left = triangle.fixed.left,
-                          .right = triangle.fixed.right,
-                          .depth = target.depth + offset,
-                          .distance = distance(target),
-                          .intensity_back = 0u - surface.intensity.dx,
-                          .ramp = surface.ramp,
-                          .dz = triangle.depth.dx,
-                          .rows = rows,
-                          .z = triangle.depth.at_origin,
-                          .intensity = surface.intensity.at_origin,
-                          .dz_row = triangle.depth.dy,
-                          .intensity_row = surface.intensity.dy,
-                          .left_step = triangle.fixed.left_step,
-                          .right_step = triangle.fixed.right_step,
-                          .width_bytes = word(target.width) * 2};
-    both_parts(triangle, loop, rows_after, [&] { loop.draw(); });
+  static constexpr bool ramp_in_assembly = formats_in_assembly&& RampSurface<Surface>;
+
+  static const armv6m::BandTargetWords* words(const Target& target) {
+    static_assert(offsetof(Target, depth) == 0 && offsetof(Target, pixels) == 4 && offsetof(Target, width) == 8 &&
+                  offsetof(Target, first_row) == 12);
+    return reinterpret_cast<const armv6m::BandTargetWords*>(&target);
+  }
+
+  /// Rows of a small or medium triangle of one pixel value.
+  template <class Surface>
+  static void flat_rows(const ActiveTriangle& triangle, const Surface& surface, const Target& target, std::int32_t rows,
+                        std::int32_t rows_after) {
+    const std::uint32_t pixel = surface.source(0).get();
+    if (triangle.flags.size() == ActiveTriangle::Size::small)
+      armv6m::flat_rows_short(&triangle, pixel, words(target), rows, rows_after);
+    else
+      armv6m::flat_rows_long(&triangle, pixel, words(target), rows, rows_after);
+  }
+
+  /// Rows of a small triangle with a ramp.
+  template <class Surface>
+  static void ramp_rows(const ActiveTriangle& triangle, const Surface& surface, const Target& target, std::int32_t rows,
+                        std::int32_t rows_after) {
+    static_assert(offsetof(Surface, intensity) == 0 && offsetof(Surface, ramp) == 12);
+    armv6m::ramp_rows(&triangle, reinterpret_cast<const armv6m::RampSurfaceWords*>(&surface), words(target), rows,
+                      rows_after);
   }
 #else
   template <class Surface>
   static constexpr bool flat_in_assembly = false;
-  template <class Surface, int FractionBits>
+  template <class Surface>
   static constexpr bool ramp_in_assembly = false;
 #endif
 
