@@ -84,4 +84,18 @@ inline constexpr std::array<std::uint8_t, 256> leading_zeros_of_byte = [] {
 [[nodiscard]] constexpr std::uint32_t word(std::int32_t value) { return static_cast<std::uint32_t>(value); }
 [[nodiscard]] constexpr std::int32_t signed_word(std::uint32_t value) { return static_cast<std::int32_t>(value); }
 
+/// (a·x + b·y) / 2^bits, rounded down, modulo 2^32; |x|, |y| ≤ 2^17, bits in [0, 10]. ARMv6-M has no long product, and
+/// takes whole units and the rest apart.
+[[nodiscard]] constexpr std::uint32_t sum_of_products(std::int32_t a, std::int32_t x, std::int32_t b, std::int32_t y,
+                                                      int bits) {
+#if defined(__ARM_ARCH_6M__)
+  const std::int32_t mask = (1 << bits) - 1;
+  const std::int32_t rest = (a & mask) * x + (b & mask) * y;
+  return word(a >> bits) * word(x) + word(b >> bits) * word(y) + word(rest >> bits);
+#else
+  const std::int64_t sum = static_cast<std::int64_t>(a) * x + static_cast<std::int64_t>(b) * y;
+  return static_cast<std::uint32_t>(static_cast<std::uint64_t>(sum >> bits));
+#endif
+}
+
 }  // namespace spanline

@@ -116,22 +116,57 @@ class AttributeGradients {
   /// `value_of` gives a value in [0, 65535] for a corner; the function has 16 guard bits and stands at the active
   /// triangle's row and origin.
   template <class ValueOf>
-  [[gnu::always_inline]] inline void fit(ValueOf value_of, LinearFunction& function) const {
+  void fit(ValueOf value_of, LinearFunction& function) const {
     const std::int32_t a = value_of(t_.a), b = value_of(t_.b), c = value_of(t_.c);
     if (active_.flags.size() == ActiveTriangle::Size::small &&
         fit_small_attribute(t_, static_cast<std::int32_t>(area_), a, b, c, 16 * active_.row + 8 - t_.ay, function))
       return;
     fit_wide(a, b, c, function);
   }
-
- private:
+  /// The same for a triangle that is not of the small class, or whose slope is too steep for it.
   void fit_wide(std::int32_t a, std::int32_t b, std::int32_t c, LinearFunction& function) const;
 
+ private:
   Triangle t_;
   std::int64_t area_;
   const ActiveTriangle& active_;
   const ScreenVertex* first_vertex_;
   Viewport viewport_;
+};
+
+/// The same for a small triangle, in set-up itself: everything stays in registers, and an object that others may look
+/// into is made where the wide functions are asked for.
+class SmallAttributeGradients {
+ public:
+  SmallAttributeGradients(const Triangle& t, std::int32_t area, std::int32_t row_offset, const ActiveTriangle& active,
+                          const ScreenVertex* first_vertex, const Viewport& viewport)
+      : t_(t),
+        area_(area),
+        row_offset_(row_offset),
+        active_(active),
+        first_vertex_(first_vertex),
+        viewport_(viewport) {}
+
+  [[nodiscard]] std::size_t index(const ScreenVertex* v) const { return static_cast<std::size_t>(v - first_vertex_); }
+  template <class ValueOf>
+  [[gnu::always_inline]] inline void fit(ValueOf value_of, LinearFunction& function) const {
+    const std::int32_t a = value_of(t_.a), b = value_of(t_.b), c = value_of(t_.c);
+    if (fit_small_attribute(t_, area_, a, b, c, row_offset_, function)) return;
+    AttributeGradients(*this).fit_wide(a, b, c, function);
+  }
+  /// For surfaces that want more than `fit`.
+  [[gnu::always_inline]] inline operator AttributeGradients() const {
+    const Triangle kept = t_;
+    return {kept, area_, active_, first_vertex_, viewport_};
+  }
+
+ private:
+  const Triangle& t_;
+  std::int32_t area_;
+  std::int32_t row_offset_;
+  const ActiveTriangle& active_;
+  const ScreenVertex* first_vertex_;
+  const Viewport& viewport_;
 };
 
 /// Sets up a triangle of any size or position as medium or large. False if it has no rows in the viewport or no
@@ -145,8 +180,8 @@ void fit_wide_depth(const Triangle& t, std::int64_t area, Viewport viewport, int
 /// Puts the third edge of a large triangle in place.
 void bend_large(const PolygonCorners& polygon, ActiveTriangle& active);
 
-/// Activates a polygon: edges and plane on its first row inside the viewport. `make_surface` is called with the
-/// attribute gradients once it is certain that the triangle has rows. False if there is nothing to draw.
+/// Activates a polygon: edges and plane on its first row inside the viewport. `make_surface` is called with attribute
+/// gradients of either class once it is certain that the triangle has rows. False if there is nothing to draw.
 template <class Depth, class MakeSurface>
 [[nodiscard, gnu::always_inline]] inline bool set_up(const ScreenVertex* p, const ScreenVertex* q,
                                                      const ScreenVertex* r, const PolygonGroup& group,
@@ -176,7 +211,7 @@ template <class Depth, class MakeSurface>
       const Triangle kept = t;
       fit_wide_depth(kept, area, viewport, Depth::bits, active);
     }
-    make_surface(AttributeGradients(t, area, active, group.vertices, viewport));
+    make_surface(SmallAttributeGradients(t, area, row_offset, active, group.vertices, viewport));
   } else {
     Triangle kept = t;
     std::int64_t wide_area;

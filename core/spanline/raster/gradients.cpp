@@ -57,7 +57,10 @@ std::int32_t middle(std::int32_t low, std::int32_t high, std::int32_t size) {
 
 Gradients::Gradients(const Triangle& triangle, std::int64_t area, Viewport viewport)
     : triangle_(triangle), area_(area) {
-  const auto [low_x, high_x] = std::minmax({std::int32_t{0}, triangle.dx1, triangle.dx2});
+  const std::int32_t low_x =
+      triangle.dx1 < triangle.dx2 ? std::min<std::int32_t>(triangle.dx1, 0) : std::min<std::int32_t>(triangle.dx2, 0);
+  const std::int32_t high_x =
+      triangle.dx1 > triangle.dx2 ? std::max<std::int32_t>(triangle.dx1, 0) : std::max<std::int32_t>(triangle.dx2, 0);
   const std::int32_t high_y = std::max(triangle.dy1, triangle.dy2);
   anchor_x_ = middle(row_at(triangle.ax + low_x) - row_bias, row_at(triangle.ax + high_x) - row_bias, viewport.width);
   anchor_y_ =
@@ -70,16 +73,9 @@ Gradients::Gradients(const Triangle& triangle, std::int64_t area, Viewport viewp
   inverse_ = reciprocal_32(narrow << normalising_shift_);
 }
 
-bool Gradients::fast_slope(std::int64_t numerator, int guard_bits, std::int32_t& slope) const {
-  if (numerator == 0) {
-    slope = 0;
-    return true;
-  }
-  const auto absolute = static_cast<std::uint64_t>(numerator < 0 ? -numerator : numerator);
-  const int zeros = leading_zeros_64(absolute);
-  const auto normalised = static_cast<std::uint32_t>((absolute << zeros) >> 32);
-  // normalised · inverse / 2^32 = |n|/area · 2^(zeros − 32 + 30 − normalising shift); wanted: · 2^(4 + guard + extra)
-  const int shift = zeros - 2 - normalising_shift_ - (4 + guard_bits + extra_bits_for(guard_bits));
+inline bool Gradients::fast_slope(Normalised numerator, int guard_bits, std::int32_t& slope) const {
+  // magnitude · inverse / 2^32 = |n|/area · 2^(zeros − 32 + 30 − normalising shift); wanted: · 2^(4 + guard + extra)
+  const int shift = numerator.zeros - 2 - normalising_shift_ - (4 + guard_bits + extra_bits_for(guard_bits));
   // |slope| < 2^(31 − shift), good to 2^-28 of itself: with 16 guard bits any slope that fits is good enough; with 8,
   // and the few bits below them, 2^23 guard units a pixel are the limit.
   if (shift < (guard_bits >= 16 ? 0 : 2)) return false;
@@ -88,9 +84,21 @@ bool Gradients::fast_slope(std::int64_t numerator, int guard_bits, std::int32_t&
     return true;
   }
   const std::uint32_t half = (1u << shift) >> 1;
-  const std::uint32_t rounded = (multiply_high(normalised, inverse_) + half) >> shift;
-  slope = numerator < 0 ? -signed_word(rounded) : signed_word(rounded);
+  const std::uint32_t rounded = (multiply_high(numerator.magnitude, inverse_) + half) >> shift;
+  slope = numerator.negative ? -signed_word(rounded) : signed_word(rounded);
   return true;
+}
+
+bool Gradients::fast_slope(std::int64_t numerator, int guard_bits, std::int32_t& slope) const {
+  const auto absolute = static_cast<std::uint64_t>(numerator < 0 ? -numerator : numerator);
+  const int zeros = leading_zeros_64(absolute | 1);
+  return fast_slope({static_cast<std::uint32_t>((absolute << zeros) >> 32), zeros, numerator < 0}, guard_bits, slope);
+}
+
+bool Gradients::fast_slope(std::int32_t numerator, int guard_bits, std::int32_t& slope) const {
+  const std::uint32_t absolute = magnitude(numerator);
+  const int zeros = leading_zeros_32(absolute | 1);
+  return fast_slope({absolute << zeros, zeros + 32, numerator < 0}, guard_bits, slope);
 }
 
 LinearFunction Gradients::fit(std::int32_t value_a, std::int32_t value_b, std::int32_t value_c, int bits,
@@ -106,25 +114,27 @@ LinearFunction Gradients::fit(std::int32_t value_a, std::int32_t value_b, std::i
   }
   const bool narrow = narrow_ && bits == 16;
   std::int64_t nx, ny;
+  std::int32_t fine_dx = 0, fine_dy = 0;
+  bool fast;
   if (narrow) {
-    nx = d1 * t.dy2 - d2 * t.dy1;
-    ny = d2 * t.dx1 - d1 * t.dx2;
+    const std::int32_t narrow_x = d1 * t.dy2 - d2 * t.dy1, narrow_y = d2 * t.dx1 - d1 * t.dx2;
+    fast = fast_slope(narrow_x, guard_bits, fine_dx) && fast_slope(narrow_y, guard_bits, fine_dy);
+    nx = narrow_x;
+    ny = narrow_y;
   } else {
     nx = static_cast<std::int64_t>(d1) * t.dy2 - static_cast<std::int64_t>(d2) * t.dy1;
     ny = static_cast<std::int64_t>(d2) * t.dx1 - static_cast<std::int64_t>(d1) * t.dx2;
+    fast = normalising_shift_ != exact && fast_slope(nx, guard_bits, fine_dx) && fast_slope(ny, guard_bits, fine_dy);
   }
   const std::int32_t to_anchor_x = 16 * (anchor_x_ + row_bias) + 8 - t.ax;
   const std::int32_t to_anchor_y = 16 * anchor_y_ + 8 - t.ay;
-  std::int32_t fine_dx = 0, fine_dy = 0;
   std::uint32_t at_anchor;
-  if (normalising_shift_ != exact && fast_slope(nx, guard_bits, fine_dx) && fast_slope(ny, guard_bits, fine_dy)) {
+  if (fast) {
     const int extra_bits = extra_bits_for(guard_bits);
     const std::int32_t half = (1 << extra_bits) >> 1;
     function.dx = word((fine_dx + half) >> extra_bits);
     function.dy = word((fine_dy + half) >> extra_bits);
-    const std::int64_t way =
-        static_cast<std::int64_t>(fine_dx) * to_anchor_x + static_cast<std::int64_t>(fine_dy) * to_anchor_y;
-    at_anchor = base + static_cast<std::uint32_t>(static_cast<std::uint64_t>(way >> (4 + extra_bits)));
+    at_anchor = base + sum_of_products(fine_dx, to_anchor_x, fine_dy, to_anchor_y, 4 + extra_bits);
   } else if (narrow && area_ < 65536) {
     const auto area = static_cast<std::uint32_t>(area_);
     const ShortDivision x(static_cast<std::int32_t>(nx), area), y(static_cast<std::int32_t>(ny), area);

@@ -31,8 +31,16 @@ class Gradients {
                                    std::int32_t row) const;
 
  private:
+  /// |numerator| = magnitude · 2^(32 − zeros) with magnitude in [2^31, 2^32), or 0.
+  struct Normalised {
+    std::uint32_t magnitude;
+    int zeros;
+    bool negative;
+  };
   /// A slope in guard units a pixel, with a few more bits at 24-bit depth; false if it is too steep for the reciprocal.
+  [[nodiscard]] bool fast_slope(Normalised numerator, int guard_bits, std::int32_t& slope) const;
   [[nodiscard]] bool fast_slope(std::int64_t numerator, int guard_bits, std::int32_t& slope) const;
+  [[nodiscard]] bool fast_slope(std::int32_t numerator, int guard_bits, std::int32_t& slope) const;
 
   const Triangle& triangle_;
   std::int64_t area_;

@@ -21,7 +21,8 @@ namespace spanline {
 /// `skip_band(table, shading, band, viewport, target)` steps over a band that another core draws. An algorithm that
 /// `takes_table_apart` changes the table's buckets and references as it goes: no two may draw from one.
 ///
-/// `clear(target, fill)` makes a band ready for drawing, by `fill(value, count, words)`.
+/// `clear(target, fill)` makes a band ready for drawing, by `fill(value, count, words)`; where it `clears_ahead`, the
+/// band above may still be in drawing.
 /// `keeps_depth`: bands have a depth buffer; `tests_depth`: the algorithm needs it, and it is not there for show alone.
 /// `Memory` is the algorithm's own part of the caller's bytes. `wanted` says how large its pool would have had to be
 /// after `overflowed`. `layers_overflowed` and `layers_wanted` say the same of the pool for see-through polygons, which
@@ -33,6 +34,7 @@ concept VisibilityAlgorithm = requires(A algorithm, const A& view, typename A::M
   { A::keeps_depth } -> std::convertible_to<bool>;
   { A::tests_depth } -> std::convertible_to<bool>;
   { A::takes_table_apart } -> std::convertible_to<bool>;
+  { A::clears_ahead } -> std::convertible_to<bool>;
   { A::takes(capacity) } -> std::same_as<bool>;
   { A::bucket_lines(capacity) } -> std::convertible_to<std::uint32_t>;
   memory.take(arena, capacity);

@@ -34,6 +34,7 @@ class DeferredDepthBuffer {
  public:
   using Target = BandTarget<Depth, Pixel>;
   static constexpr bool keeps_depth = true, tests_depth = true, takes_table_apart = false;
+  static constexpr bool clears_ahead = false;  // there is one item buffer
 
   struct Memory {
     typename Items::Memory depth_buffer;

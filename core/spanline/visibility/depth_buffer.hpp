@@ -43,7 +43,7 @@ class DepthBuffer {
   using Layers = SeeThroughRows<Depth, Pixel, Fragments, Counting>;
   using Bounds = std::conditional_t<Bounded, DepthBounds<Depth>, NoDepthBounds>;
 
-  static constexpr bool keeps_depth = true, tests_depth = true, takes_table_apart = false;
+  static constexpr bool keeps_depth = true, tests_depth = true, takes_table_apart = false, clears_ahead = !Bounded;
 
   /// The memory of the algorithm, cut off an arena: polygons that cross a band's lower edge; none are needed where
   /// there is one band.
@@ -250,8 +250,7 @@ class DepthBuffer {
   [[gnu::noinline]] static bool activate(const ScreenVertex* a, const ScreenVertex* b, const ScreenVertex* c,
                                          Job<ShadingGroup>& job, typename Shader::Surface& surface) {
     return set_up<Depth>(
-        a, b, c, *job.group, job.viewport,
-        job.triangle, [&](const AttributeGradients& gradients) __attribute__((always_inline)) {
+        a, b, c, *job.group, job.viewport, job.triangle, [&](const auto& gradients) __attribute__((always_inline)) {
           Shader::make(surface, *job.shading, gradients);
         });
   }
@@ -267,7 +266,7 @@ class DepthBuffer {
   template <class ShadingGroup>
   [[gnu::always_inline]] static inline bool activate_plain(const ScreenVertex* a, const ScreenVertex* b,
                                                            const ScreenVertex* c, Job<ShadingGroup>& job) {
-    return set_up<Depth>(a, b, c, *job.group, job.viewport, job.triangle, [](const AttributeGradients&) {});
+    return set_up<Depth>(a, b, c, *job.group, job.viewport, job.triangle, [](const auto&) {});
   }
 
   /// Draws the active polygon at *link, and moves on to the next one; takes it out of the list where it ends.

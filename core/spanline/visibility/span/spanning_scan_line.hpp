@@ -37,7 +37,7 @@ class SpanningScanLine {
   using Target = BandTarget<Depth, Pixel>;
 
   /// Depths are kept for Counting alone, for others to look at: nothing here reads them.
-  static constexpr bool keeps_depth = Counting, tests_depth = false, takes_table_apart = true;
+  static constexpr bool keeps_depth = Counting, tests_depth = false, takes_table_apart = true, clears_ahead = true;
 
   struct Entry : AwakePolygon {
     Surface surface;

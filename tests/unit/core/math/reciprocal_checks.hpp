@@ -37,6 +37,19 @@ TEST(SPANLINE_RECIPROCAL_SUITE, HighProductsAreExact) {
   }
 }
 
+TEST(SPANLINE_RECIPROCAL_SUITE, SumsOfProductsAreRoundedDown) {
+  Random random(3);
+  for (int i = 0; i < rounds(1000000); ++i) {
+    const auto a = static_cast<std::int32_t>(random.wide(-0x80000000LL, 0x7fffffff)),
+               b = static_cast<std::int32_t>(random.wide(-0x80000000LL, 0x7fffffff));
+    const std::int32_t x = random.between(-131072, 131072), y = random.between(-131072, 131072);
+    const int bits = random.between(0, 10);
+    const std::int64_t exact = (std::int64_t{a} * x + std::int64_t{b} * y) >> bits;
+    ASSERT_EQ(sum_of_products(a, x, b, y, bits), static_cast<std::uint32_t>(static_cast<std::uint64_t>(exact)))
+        << a << " * " << x << " + " << b << " * " << y << " over 2^" << bits;
+  }
+}
+
 TEST(SPANLINE_RECIPROCAL_SUITE, ShortReciprocalsAreWithinTwoUnitsForEveryDivisor) {
   double worst = 0;
   for (std::uint32_t d = 32768; d < 65536; ++d) {
