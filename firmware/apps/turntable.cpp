@@ -14,14 +14,15 @@ namespace {
 
 using namespace spanline;
 
-using Turntable = apps::Turntable<board::DisplayPanel, board::DisplayClock, ShadingMode::SPANLINE_TURNTABLE_SHADING>;
+using Turntable = apps::Turntable<board::DisplayPanel, board::DisplayClock, ShadingMode::SPANLINE_TURNTABLE_SHADING,
+                                  board::BandFiller>;
 
 constexpr const Mesh& mesh = spanline_models::SPANLINE_TURNTABLE_MODEL;
 constexpr std::uint32_t frames_to_show = SPANLINE_TURNTABLE_FRAMES;
 
 // Enough for either model from every side; tests/selftest holds all frames against it.
-constexpr Capacity capacity =
-    Turntable::capacity(mesh, board::display_bands.lines, board::display_bands.count, 1700, 100);
+constexpr Capacity capacity = Turntable::capacity(mesh, board::display_bands.lines, board::display_bands.count, 1700,
+                                                  100, board::display_bands.depth_count);
 constexpr std::size_t memory_needed = Turntable::Picture::bytes_needed(capacity);
 static_assert(memory_needed <= board::picture_memory);
 

@@ -7,6 +7,7 @@
 
 #include "scenes/model_view.hpp"
 #include "spanline/frame/renderer.hpp"
+#include "spanline/hal/filler.hpp"
 #include "spanline/hal/pixel_order.hpp"
 #include "spanline/hal/present.hpp"
 
@@ -15,9 +16,12 @@ namespace spanline::apps {
 /// A model that turns on a display: each frame is drawn in bands, one of which is on its way to the panel while the
 /// next is drawn. Pixels lie in the panel's order from the start.
 ///
+/// Where the board has a Filler, that clears a band while the one above it is drawn.
+///
 /// A bus that stops answering costs the frame under way; the next one initialises the panel anew. Everything lies in
 /// the caller's memory.
-template <hal::Panel PanelType, hal::Clock ClockType, ShadingMode shading = ShadingMode::gouraud>
+template <hal::Panel PanelType, hal::Clock ClockType, ShadingMode shading = ShadingMode::gouraud,
+          class FillerType = hal::NoFiller>
 class Turntable {
  public:
   using Format = std::conditional_t<PanelType::pixel_order == hal::PixelOrder::native, Rgb565, Rgb565Swapped>;
@@ -38,12 +42,13 @@ class Turntable {
   /// What the picture of a mesh takes: `polygons` that face the eye at most, `active` of them across a band's edge.
   [[nodiscard]] static constexpr Capacity capacity(const Mesh& mesh, std::uint16_t band_lines,
                                                    std::uint8_t colour_bands, std::uint32_t polygons,
-                                                   std::uint32_t active) {
+                                                   std::uint32_t active, std::uint8_t depth_bands = 1) {
     const auto vertices = static_cast<std::uint32_t>(mesh.vertex_count());
     return {.width = PanelType::width,
             .height = PanelType::height,
             .band_lines = band_lines,
             .colour_bands = colour_bands,
+            .depth_bands = depth_bands,
             .vertices = vertices,
             .shades = shading == ShadingMode::gouraud ? vertices : 0,
             .polygons = polygons,
@@ -52,7 +57,10 @@ class Turntable {
 
   /// `memory` has Picture::bytes_needed(capacity) bytes, in RAM that the bus reaches. Mesh and memory must stay.
   Turntable(PanelType& panel, ClockType& clock, const Mesh& mesh, const Capacity& capacity, std::span<std::byte> memory)
-      : mesh_(mesh), renderer_(capacity, memory), present_(panel, clock, buffers(renderer_)) {}
+      : mesh_(mesh),
+        box_(scenes::MeshBox::of(mesh)),
+        renderer_(capacity, memory),
+        present_(panel, clock, buffers(renderer_)) {}
 
   /// Draws frame `number` of the turn and waits until it is shown.
   Result show(std::uint32_t number) {
@@ -82,17 +90,24 @@ class Turntable {
     result.display = present_.begin_frame();
     if (result.display != hal::Status::ok) return result;
     result.drawing = submit(number);
-    const Status drawn = renderer_.draw(Sink{present_});
+    const Status drawn = renderer_.draw(Sink{present_, filler_});
     result.display = end(present_);
-    // A sink that fails has a display behind it that says why.
-    if (result.drawing.ok() && drawn.fault != Fault::sink_failed) result.drawing = drawn;
+    // Where a sink fails and the display has nothing to say, it was the filler.
+    const bool display_failed = drawn.fault == Fault::sink_failed && result.display != hal::Status::ok;
+    if (result.drawing.ok() && !display_failed) result.drawing = drawn;
     return result;
   }
 
   /// Hands finished bands to the present loop, whose buffers are the renderer's colour bands.
   struct Sink {
     Present& present;
+    [[maybe_unused]] FillerType& filler;
     bool acquire(unsigned buffer) { return present.acquire(static_cast<int>(buffer)) == hal::Status::ok; }
+    bool available(unsigned buffer) { return present.available(static_cast<int>(buffer)); }
+    void fill(std::uint16_t value, std::uint32_t count, std::uint16_t* words) requires hal::Filler<FillerType> {
+      filler.fill(value, count, words);
+    }
+    bool filled() requires hal::Filler<FillerType> { return filler.filled(); }
     bool operator()(const typename Picture::BandView& band) {
       return present.submit(band.y0, band.y1, static_cast<int>(band.buffer)) == hal::Status::ok;
     }
@@ -100,14 +115,18 @@ class Turntable {
 
   Status submit(std::uint32_t number) {
     const Angle angle = Angle::from_turns(number % frames_a_turn, frames_a_turn);
-    const scenes::ModelView view = scenes::model_view(mesh_, angle, PanelType::height, shading);
+    const scenes::ModelView view = scenes::model_view(mesh_, box_, angle, PanelType::height, shading);
     if (const Status begun = renderer_.begin(view.settings); !begun.ok()) return begun;
+    // A sink that gives up will do so for drawing, too.
+    if constexpr (hal::Filler<FillerType>) static_cast<void>(renderer_.clear_ahead(Sink{present_, filler_}));
     return renderer_.add(mesh_, view.transform, view.material);
   }
 
   const Mesh& mesh_;
+  scenes::MeshBox box_;
   Picture renderer_;
   Present present_;
+  [[no_unique_address]] FillerType filler_{};
 };
 
 }  // namespace spanline::apps

@@ -22,14 +22,26 @@ struct ModelView {
 inline constexpr std::array<DirectionalLight, 1> model_view_lights{
     {{{0.4243_q30, 0.5657_q30, 0.7071_q30}, Fixed<16>::from_ratio(8, 10)}}};
 
-/// Turns `mesh` by `angle`, for a picture `height` lines high. Only 16-bit meshes.
-inline ModelView model_view(const Mesh& mesh, Angle angle, int height, ShadingMode shading) {
+/// What the vertices of a 16-bit mesh span, in its steps.
+struct MeshBox {
   Vec3<std::int32_t> low{32767, 32767, 32767}, high{-32768, -32768, -32768};
-  for (const Vertex16& v : mesh.vertices) {
-    low = {std::min<std::int32_t>(low.x, v.x), std::min<std::int32_t>(low.y, v.y), std::min<std::int32_t>(low.z, v.z)};
-    high = {std::max<std::int32_t>(high.x, v.x), std::max<std::int32_t>(high.y, v.y),
-            std::max<std::int32_t>(high.z, v.z)};
+
+  [[nodiscard]] static MeshBox of(const Mesh& mesh) {
+    MeshBox box;
+    for (const Vertex16& v : mesh.vertices) {
+      box.low = {std::min<std::int32_t>(box.low.x, v.x), std::min<std::int32_t>(box.low.y, v.y),
+                 std::min<std::int32_t>(box.low.z, v.z)};
+      box.high = {std::max<std::int32_t>(box.high.x, v.x), std::max<std::int32_t>(box.high.y, v.y),
+                  std::max<std::int32_t>(box.high.z, v.z)};
+    }
+    return box;
   }
+};
+
+/// Turns `mesh` by `angle`, for a picture `height` lines high. Only 16-bit meshes. Programs that draw it again and
+/// again find its box once.
+inline ModelView model_view(const Mesh& mesh, const MeshBox& box, Angle angle, int height, ShadingMode shading) {
+  const auto& [low, high] = box;
   ModelView view;
   view.settings.camera.eye = {{}, {}, 4.0_q16};
   view.settings.camera.focal = Q16_16::from_ratio(320 * height, 240);
@@ -58,6 +70,9 @@ inline ModelView model_view(const Mesh& mesh, Angle angle, int height, ShadingMo
   const Rotation& r = view.transform.rotation;
   view.transform.translation = {turned(r.row[0]), turned(r.row[1]), turned(r.row[2])};
   return view;
+}
+inline ModelView model_view(const Mesh& mesh, Angle angle, int height, ShadingMode shading) {
+  return model_view(mesh, MeshBox::of(mesh), angle, height, shading);
 }
 
 }  // namespace spanline::scenes

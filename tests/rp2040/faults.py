@@ -33,6 +33,13 @@ def transfer_that_never_ends(tools, folder):
     require_last(tools, PANEL, folder, 6)
 
 
+def fill_that_never_ends(tools, folder):
+    """The DMA clears no further band in the third frame, which is given up; the next one starts it again."""
+    report = board.run("turntable_stops", f"{folder}/trace", "--until", board.SHOWN, "--stick-fill", "25")
+    require_text(report, "drawing sink failed", "drawing none", "frame 6 shown")
+    require_last(tools, PANEL, folder, 6)
+
+
 def absent_panel(tools, folder):
     report = board.run("turntable_ili9341_stops", f"{folder}/trace", "--until", board.SHOWN, "--absent")
     require_text(report, "display panel_absent", "display ok", "frame 1 shown")
@@ -64,6 +71,7 @@ def slow_bytes(tools, folder):
 
 CASES = {
     "transfer": transfer_that_never_ends,
+    "fill": fill_that_never_ends,
     "absent": absent_panel,
     "reset": reset_in_mid_frame,
     "clock": slow_clock,

@@ -4,6 +4,7 @@
 //
 //   --feeds N            end when the watchdog has been fed N times instead
 //   --stick BYTE         the serial interface stops for good at that byte, until the program has noticed
+//   --stick-fill NUMBER  the DMA's transfer from memory to memory with that number never ends
 //   --reset-at BYTE      somebody presses reset at that byte
 //   --absent             nothing is plugged in where an ILI9341 is expected, until the program has noticed
 //   --ili9341            an ILI9341 answers when it is asked who it is
@@ -23,6 +24,7 @@ const { values: options, positionals } = parseArgs({
     feeds: { type: "string", default: "Infinity" },
     seconds: { type: "string", default: "10" },
     stick: { type: "string", default: "Infinity" },
+    "stick-fill": { type: "string", default: "Infinity" },
     "reset-at": { type: "string", default: "Infinity" },
     absent: { type: "boolean", default: false },
     ili9341: { type: "boolean", default: false },
@@ -48,6 +50,7 @@ const pico = new Pico(positionals[0], {
   onInstruction: options.time ? timer(Number(options.time)) : undefined,
 });
 pico.stickAt = Number(options.stick);
+pico.stickFillAt = Number(options["stick-fill"]);
 pico.slowness = Number(options.slowness);
 if (options.ili9341 && !options.absent) pico.identity = ILI9341;
 const resetAt = Number(options["reset-at"]);

@@ -19,6 +19,7 @@ const NO_MPU = /^Unimplemented peripheral write to 0x(d9|da)/;
 const pins = { chipSelect: 17, dataCommand: 20, reset: 21 };
 const watchdogLoad = 0x04;
 const SPI0_RESET = 1 << 16;
+const UNPACED = 0x3f;
 
 /** What a record of a trace tells (panel_trace.cpp reads them). */
 export const Kind = { byte: 0, reset: 1, clock: 2, read: 3 };
@@ -71,6 +72,8 @@ export class Pico {
   faults = 0;
   /** Byte number on the wires at which the serial interface stops for good; starts again by recover(). */
   stickAt = Infinity;
+  /** Number of the transfer from memory to memory that never gets going. */
+  stickFillAt = Infinity;
   /** How many times longer than its clock says a byte takes. */
   slowness = 1;
   /** What the display answers when it is asked who it is: {command, answer}. Without, its line stays high. */
@@ -82,6 +85,7 @@ export class Pico {
   #elf;
   #stopped = false;
   #bytesSent = 0;
+  #fills = 0;
   #answer = [];
   #exit = null;
   #pastCycles = 0;
@@ -119,6 +123,7 @@ export class Pico {
     mcu.uart[0].onByte = (byte) => this.#onConsole(String.fromCharCode(byte));
     this.#connectDisplay(mcu);
     this.#watchWatchdog(mcu);
+    this.#paceMemory(mcu);
   }
 
   #logger() {
@@ -193,6 +198,21 @@ export class Pico {
     return this.#asking;
   }
   #asking = false;
+
+  /** Transfers from memory to memory take a cycle each, of all channels together (RP2040 data sheet, section 2.5); in
+   * rp2040js they take no time. */
+  #paceMemory(mcu) {
+    const { channels } = mcu.dma;
+    for (const channel of channels) {
+      const schedule = channel.scheduleTransfer.bind(channel);
+      channel.scheduleTransfer = () => {
+        if (channel.treq !== UNPACED) return schedule();
+        if (channel.transCount === channel.transCountReload && ++this.#fills === this.stickFillAt) return;
+        const rivals = channels.filter((other) => other.active && other.treq === UNPACED).length;
+        channel.transferAlarm.schedule((rivals * 1e9) / mcu.clkSys);
+      };
+    }
+  }
 
   #watchWatchdog(mcu) {
     const watchdog = mcu.peripherals[0x40058];

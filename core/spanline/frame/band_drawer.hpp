@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -35,6 +36,18 @@ struct BandScene {
   VisibilityCounters* counters;
 };
 
+/// A sink behind which hardware fills memory while the core goes on. `fill(value, count, words)` starts it, two at a
+/// time at most, from words that begin as the arena lets them begin; `filled()` waits until all of it has ended, and
+/// may return false to give the frame up. `available(buffer)` tells whether `acquire` would return at once.
+template <class Sink, class Word, class Pixel>
+concept FillingSink = requires(Sink& sink, Word* depth, Pixel* pixels, Word value, Pixel pixel) {
+  { sink.acquire(0u) } -> std::same_as<bool>;
+  { sink.available(0u) } -> std::same_as<bool>;
+  sink.fill(value, std::uint32_t{1}, depth);
+  sink.fill(pixel, std::uint32_t{1}, pixels);
+  { sink.filled() } -> std::same_as<bool>;
+};
+
 /// Draws the bands of a frame, or every second one, from a polygon table: a visibility algorithm with its memory, a
 /// depth band, and the colour bands that it draws into by turns. All state between bands is its own, so that several
 /// may draw from one table at a time where the algorithm leaves the table alone.
@@ -51,18 +64,21 @@ class BandDrawer {
 
   struct Pools {
     typename Visibility::Memory visibility;
-    std::span<DepthWord> depth;
-    std::span<Pixel> colour;  ///< all bands
+    std::span<DepthWord> depth;  ///< all bands
+    std::span<Pixel> colour;     ///< all bands
 
-    /// Pixels from one colour band to the next: each begins as the arena would let it begin.
-    static constexpr std::size_t colour_stride(const Capacity& c) {
-      constexpr std::size_t pixels_a_step = std::max<std::size_t>(Arena::alignment / sizeof(Pixel), 1);
-      return (std::size_t{c.width} * c.band_lines + pixels_a_step - 1) / pixels_a_step * pixels_a_step;
+    /// Words from one band to the next: each begins as the arena would let it begin.
+    template <class Word>
+    static constexpr std::size_t stride(const Capacity& c) {
+      constexpr std::size_t words_a_step = std::max<std::size_t>(Arena::alignment / sizeof(Word), 1);
+      return (std::size_t{c.width} * c.band_lines + words_a_step - 1) / words_a_step * words_a_step;
     }
     constexpr void take(Arena& arena, const Capacity& c) {
       visibility.take(arena, c);
-      depth = arena.take<DepthWord>(Visibility::keeps_depth ? std::size_t{c.width} * c.band_lines : 0);
-      colour = arena.take<Pixel>(colour_stride(c) * c.colour_bands);
+      const std::size_t depth_size =
+          c.depth_bands == 1 ? std::size_t{c.width} * c.band_lines : stride<DepthWord>(c) * c.depth_bands;
+      depth = arena.take<DepthWord>(Visibility::keeps_depth ? depth_size : 0);
+      colour = arena.take<Pixel>(stride<Pixel>(c) * c.colour_bands);
     }
   };
 
@@ -71,7 +87,8 @@ class BandDrawer {
       : capacity_(capacity), pools_(pools), visibility_(pools.visibility) {}
 
   /// Draws a frame's share. For each band: `sink.acquire(buffer)` where the sink has it, which waits until that colour
-  /// band is free again; then the drawing; then `sink(band)`. Either may return false to give the frame up.
+  /// band is free again; then the drawing; then `sink(band)`. Either may return false to give the frame up. A
+  /// FillingSink clears each band while the one above it is drawn.
   template <class Sink>
   Status draw(const Scene& scene, BandShare share, Sink& sink) {
     start(share);
@@ -80,10 +97,7 @@ class BandDrawer {
         skip_band(scene, band);
         continue;
       }
-      if constexpr (requires { sink.acquire(0u); }) {
-        if (!sink.acquire(buffer_of(band))) return {Fault::sink_failed, Pool::none, 0};
-      }
-      clear_band(scene, band);
+      if (!make_ready(scene, band, sink)) return {Fault::sink_failed, Pool::none, 0};
       const BandView view = draw_band(scene, band, sink);
       if (!sink(view)) return {Fault::sink_failed, Pool::none, 0};
     }
@@ -106,19 +120,31 @@ class BandDrawer {
                           {nullptr, nullptr, capacity_.width, y0 + row_bias, end_line(y0) + row_bias, {}});
   }
   void clear_band(const Scene& scene, std::uint32_t band) {
-    visibility_.clear(target(scene, band_view(band)),
+    visibility_.clear(target(scene, band, band_view(band)),
                       [](auto value, std::uint32_t count, auto* words) { fill_constant(value, count, words); });
   }
+  /// For a FillingSink: starts to clear a band of the share, before its turn comes. False where the sink gives up.
+  template <class Sink>
+  bool clear_ahead(const Scene& scene, std::uint32_t band, Sink& sink) {
+    if (!sink.acquire(buffer_of(band))) return false;
+    visibility_.clear(target(scene, band, band_view(band)),
+                      [&](auto value, std::uint32_t count, auto* words) { sink.fill(value, count, words); });
+    cleared_ = band;
+    return true;
+  }
+  /// Nothing has been cleared ahead.
+  void forget_clears() { cleared_ = none; }
   template <class Sink>
   BandView draw_band(const Scene& scene, std::uint32_t band, Sink& sink) {
     const BandView view = band_view(band);
-    visibility_.draw_band(scene.table, scene.shading, static_cast<std::int32_t>(band), viewport(), target(scene, view),
-                          [&](std::uint32_t id) {
+    visibility_.draw_band(scene.table, scene.shading, static_cast<std::int32_t>(band), viewport(),
+                          target(scene, band, view), [&](std::uint32_t id) {
                             if constexpr (requires { sink.covered(id); }) sink.covered(id);
                           });
     return view;
   }
   Status end(const Scene& scene) {
+    forget_clears();
     first_buffer_ = static_cast<std::uint8_t>(buffer_of(capacity_.bands()));
     if (visibility_.overflowed())
       return {Fault::pool_full, Pool::active, Visibility::wanted(scene.table, viewport(), capacity_.band_lines)};
@@ -130,7 +156,7 @@ class BandDrawer {
 
   /// A colour band's memory; empty where the band does not exist.
   [[nodiscard]] std::span<Pixel> colour_band(unsigned buffer) const {
-    const std::size_t start = std::size_t{buffer} * Pools::colour_stride(capacity_);
+    const std::size_t start = std::size_t{buffer} * Pools::template stride<Pixel>(capacity_);
     if (start >= pools_.colour.size()) return {};
     return pools_.colour.subspan(start, std::size_t{capacity_.width} * capacity_.band_lines);
   }
@@ -139,6 +165,28 @@ class BandDrawer {
   [[nodiscard]] const Visibility& visibility() const { return visibility_; }
 
  private:
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+  /// Waits for a band's buffer and has it cleared.
+  template <class Sink>
+  bool make_ready(const Scene& scene, std::uint32_t band, Sink& sink) {
+    if constexpr (FillingSink<Sink, DepthWord, Pixel>) {
+      if (band != cleared_ && !clear_ahead(scene, band, sink)) return false;
+      if (!sink.filled()) return false;
+      const std::uint32_t next = band + (share_ == BandShare::all ? 1 : 2);
+      if (Visibility::clears_ahead && capacity_.depth_bands == 2 && next < capacity_.bands() &&
+          sink.available(buffer_of(next)))
+        return clear_ahead(scene, next, sink);
+      return true;
+    } else {
+      if constexpr (requires { sink.acquire(0u); }) {
+        if (!sink.acquire(buffer_of(band))) return false;
+      }
+      clear_band(scene, band);
+      return true;
+    }
+  }
+
   [[nodiscard]] Viewport viewport() const { return {capacity_.width, capacity_.height}; }
   [[nodiscard]] std::int32_t first_line(std::uint32_t band) const {
     return static_cast<std::int32_t>(band * capacity_.band_lines);
@@ -156,20 +204,32 @@ class BandDrawer {
     if (capacity_.colour_bands <= 2) return turn & (capacity_.colour_bands - 1u);
     return (first_buffer_ + turn) % capacity_.colour_bands;
   }
+  /// Where a band's depth begins.
+  [[nodiscard]] std::size_t depth_start(std::uint32_t band) const {
+    if (!Visibility::keeps_depth || capacity_.depth_bands == 1) return 0;
+    return (turns(band) & 1) * Pools::template stride<DepthWord>(capacity_);
+  }
   [[nodiscard]] BandView band_view(std::uint32_t band) const {
     const std::int32_t y0 = first_line(band), y1 = end_line(y0);
     const std::size_t count = std::size_t{capacity_.width} * static_cast<std::size_t>(y1 - y0);
     const unsigned buffer = buffer_of(band);
-    return {y0, y1, colour_band(buffer).first(count), pools_.depth.first(Visibility::keeps_depth ? count : 0), buffer};
+    return {y0, y1, colour_band(buffer).first(count),
+            pools_.depth.subspan(depth_start(band), Visibility::keeps_depth ? count : 0), buffer};
   }
-  [[nodiscard]] typename Visibility::Target target(const Scene& scene, const BandView& view) const {
-    return {pools_.depth.data(), view.pixels.data(), capacity_.width, view.y0 + row_bias,
-            view.y1 + row_bias,  scene.background,   scene.counters};
+  [[nodiscard]] typename Visibility::Target target(const Scene& scene, std::uint32_t band, const BandView& view) const {
+    return {pools_.depth.data() + depth_start(band),
+            view.pixels.data(),
+            capacity_.width,
+            view.y0 + row_bias,
+            view.y1 + row_bias,
+            scene.background,
+            scene.counters};
   }
 
   Capacity capacity_;
   Pools pools_{};
   Visibility visibility_{};
+  std::uint32_t cleared_ = none;   ///< band that is being cleared ahead
   std::uint8_t first_buffer_ = 0;  ///< colour band that the frame's first band of lines goes to
   BandShare share_ = BandShare::all;
 };

@@ -10,6 +10,7 @@ struct Capacity {
   std::uint16_t height = 240;     ///< pixels, 1 … 2047
   std::uint16_t band_lines = 16;  ///< lines drawn at a time, 1 … height; height itself is a full-frame z-buffer
   std::uint8_t colour_bands = 2;  ///< 1; 2 to draw one while another is on its way to the display; 16 at most
+  std::uint8_t depth_bands = 1;   ///< 1; 2 where the sink clears a band's memory while the one above is drawn
   std::uint32_t instances = 1;    ///< meshes in view
   std::uint32_t vertices = 0;     ///< of all instances in view, and what clipping adds
   std::uint32_t shades = 0;       ///< vertices of instances with Gouraud shading, and what clipping adds
@@ -26,7 +27,7 @@ struct Capacity {
   }
   [[nodiscard]] constexpr bool valid() const {
     return width >= 1 && width <= 2047 && height >= 1 && height <= 2047 && band_lines >= 1 && band_lines <= height &&
-           colour_bands >= 1 && colour_bands <= 16;
+           colour_bands >= 1 && colour_bands <= 16 && (depth_bands == 1 || depth_bands == 2);
   }
 };
 

@@ -98,6 +98,7 @@ class Renderer {
   /// Starts a frame. Fails for a camera whose planes or focal length are out of range, and draws nothing then.
   Status begin(const FrameSettings& settings) {
     ready_ = false;
+    drawer_.forget_clears();
     table_.clear();
     statistics_ = {};
     peaks_ = {};
@@ -204,6 +205,13 @@ class Renderer {
     PolygonAssembly assembly(table_, bucket_of_row_, viewport(), cull_);
     assembly.run_screen(vertices);
     return finish(assembly, 0, false, false);
+  }
+
+  /// For a FillingSink, between `begin` and `draw`: starts to clear the first band, while instances are added. False
+  /// where the sink gives up, as it will for `draw`.
+  template <class Sink>
+  bool clear_ahead(Sink&& sink) {
+    return !ready_ || drawer_.clear_ahead(scene(), 0, sink);
   }
 
   /// Draws the frame, top to bottom. For each band: `sink.acquire(buffer)` where the sink has it, which waits until

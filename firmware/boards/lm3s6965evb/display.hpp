@@ -1,5 +1,6 @@
 #pragma once
 #include "oled_bus.hpp"
+#include "spanline/hal/filler.hpp"
 #include "spanline/hal/panels/ssd0323.hpp"
 #include "system_clock.hpp"
 
@@ -16,8 +17,10 @@ static_assert(DisplayPanel::clock_rating.verdict(DisplayBus::clock_hz()) == hal:
 struct DisplayBands {
   std::uint16_t lines;
   std::uint8_t count;
+  std::uint8_t depth_count;
 };
-inline constexpr DisplayBands display_bands{.lines = 8, .count = 2};
+inline constexpr DisplayBands display_bands{.lines = 8, .count = 2, .depth_count = 1};
+using BandFiller = hal::NoFiller;
 
 /// Called once a frame, for boards with a watchdog to feed.
 inline void frame_done() {}

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 
+#include "band_filler.hpp"
 #include "microsecond_clock.hpp"
 #include "registers.hpp"
 #include "spanline/hal/panels/ili9341.hpp"
@@ -16,6 +17,7 @@ namespace displays {
 struct DisplayBands {
   std::uint16_t lines;
   std::uint8_t count;
+  std::uint8_t depth_count;  ///< 2 where a BandFiller clears a band while the one above is drawn
 };
 
 template <hal::mipi::Glass glass, std::uint32_t hz>
@@ -56,7 +58,7 @@ using DisplayClock = MicrosecondClock;
 
 using DisplayPanel = displays::Wired::Panel;
 
-inline constexpr displays::DisplayBands display_bands{.lines = 48, .count = 4};
+inline constexpr displays::DisplayBands display_bands{.lines = 48, .count = 4, .depth_count = 2};
 
 /// Feeds the watchdog, and starts it the first time: a program that shows no frame for 1.5 s starts anew. The counter
 /// goes down by two a microsecond (RP2040-E1).

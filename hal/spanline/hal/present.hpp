@@ -80,13 +80,19 @@ class Present {
     return Status::ok;
   }
 
+  /// Whether acquire() would return at once.
+  [[nodiscard]] bool available(int index) {
+    if (check(index) != Status::ok) return true;
+    const Buffer& buffer = buffers_[static_cast<std::size_t>(index)];
+    return buffer.number == 0 || is_free(buffer);
+  }
+
   /// Waits until a buffer, counted from 0, may be drawn into. Does not wait for others that are in flight.
   Status acquire(int index) {
     if (const Status status = check(index); status != Status::ok) return status;
     Buffer& buffer = buffers_[static_cast<std::size_t>(index)];
     if (buffer.number != 0) {
-      const auto free = [&] { return submitted_ - buffer.number >= bands_left(); };
-      if (const Status status = wait_until(free); status != Status::ok) return status;
+      if (const Status status = wait_until([&] { return is_free(buffer); }); status != Status::ok) return status;
     }
     buffer.number = 0;
     return Status::ok;
@@ -150,6 +156,8 @@ class Present {
     return index >= 0 && index < buffer_count_ ? Status::ok : Status::out_of_order;
   }
 
+  /// Whether a buffer that was submitted has left.
+  [[nodiscard]] bool is_free(const Buffer& buffer) { return submitted_ - buffer.number >= bands_left(); }
   /// Panels that know nothing of queues take a band when they are not busy.
   [[nodiscard]] bool takes(int y0) {
     if constexpr (requires { panel_.takes(y0); }) {

@@ -61,6 +61,19 @@ TEST_F(PresentQueue, QuickBandsRunAheadByAsManyAsThereAreBuffers) {
   EXPECT_EQ(bus_.misuses(), 0);
 }
 
+TEST_F(PresentQueue, TellsWhetherABufferIsFree) {
+  ASSERT_EQ(present_.begin_frame(), Status::ok);
+  for (int index = 0; index < 3; ++index) EXPECT_TRUE(present_.available(index));
+  for (int band = 0; band < 3; ++band) show_band(band, band, 10);
+  for (int index = 0; index < 3; ++index) EXPECT_FALSE(present_.available(index));
+  clock_.delay_us(transfer_us + 10);
+  EXPECT_TRUE(present_.available(0));
+  EXPECT_FALSE(present_.available(1));
+  const std::uint64_t start = now_us();
+  EXPECT_EQ(present_.acquire(0), Status::ok);
+  EXPECT_LT(now_us() - start, 10U);
+}
+
 TEST_F(PresentQueue, AFrameOfUnevenBandsTakesAsLongAsTheWire) {
   ASSERT_EQ(present_.begin_frame(), Status::ok);
   const std::uint64_t start = now_us();

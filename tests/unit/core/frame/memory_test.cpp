@@ -18,6 +18,7 @@ Capacity some_capacity(Random& random) {
   c.height = static_cast<std::uint16_t>(random.between(1, 100));
   c.band_lines = static_cast<std::uint16_t>(random.between(1, c.height));
   c.colour_bands = static_cast<std::uint8_t>(random.between(1, 16));
+  c.depth_bands = static_cast<std::uint8_t>(random.between(1, 2));
   for (std::uint32_t* pool : {&c.instances, &c.vertices, &c.shades, &c.polygons, &c.fans, &c.active})
     *pool = static_cast<std::uint32_t>(random.between(0, 30));
   return c;
@@ -98,6 +99,7 @@ TEST(Configuration, SizesOutsideTheirRangesAreRefused) {
     EXPECT_EQ(spoilt(&Capacity::height, bad), Fault::bad_configuration) << bad;
   }
   for (const int bad : {0, 49, 65535}) EXPECT_EQ(spoilt(&Capacity::band_lines, bad), Fault::bad_configuration) << bad;
+  for (const int bad : {0, 3, 255}) EXPECT_EQ(spoilt(&Capacity::depth_bands, bad), Fault::bad_configuration) << bad;
   for (const int bad : {0, 17, 255}) EXPECT_EQ(spoilt(&Capacity::colour_bands, bad), Fault::bad_configuration) << bad;
   for (const auto pool : {&Capacity::polygons, &Capacity::active, &Capacity::instances, &Capacity::fans})
     EXPECT_EQ(spoilt(pool, -1), Fault::bad_configuration);

@@ -1,0 +1,21 @@
+#pragma once
+#include <concepts>
+#include <cstdint>
+
+namespace spanline::hal {
+
+/// Hardware that fills memory with a value while the core goes on: DMA.
+///
+/// - `fill(value, count, words)`: starts to fill `count` words of 16 bits, which begin at a multiple of 8 bytes. Two
+///   fills may be under way; the next call waits.
+/// - `filled()`: waits until all have ended; false if one does not.
+template <typename F>
+concept Filler = requires(F& filler, std::uint16_t value, std::uint16_t* words) {
+  filler.fill(value, std::uint32_t{1}, words);
+  { filler.filled() } -> std::same_as<bool>;
+};
+
+/// For boards without: programs that ask for a Filler let the core do it.
+struct NoFiller {};
+
+}  // namespace spanline::hal
