@@ -2,6 +2,8 @@
 // The image that tests run stops after SPANLINE_GAUGES_FRAMES frames; 0 goes on for ever.
 #include "scenes/gauges.hpp"
 
+#include <sans_14.hpp>
+
 #include "board.hpp"
 #include "display.hpp"
 #include "picture_memory.hpp"
@@ -23,18 +25,20 @@ constexpr Capacity capacity{.width = Panel::width,
                             .band_lines = board::display_bands.lines,
                             .colour_bands = board::display_bands.count,
                             .polygons = scenes::Gauges::most_triangles,
-                            .active = 150};
+                            .active = scenes::Gauges::most_triangles};
 constexpr std::size_t memory_needed = Picture::bytes_needed(capacity);
 static_assert(memory_needed + sizeof(scenes::Gauges) <= board::picture_memory);
 
 alignas(Arena::alignment) std::byte memory[memory_needed];
 scenes::Gauges gauges;
 
-/// Hands finished bands to the present loop, whose buffers are the renderer's colour bands.
+/// Hands finished bands with their text to the present loop, whose buffers are the renderer's colour bands.
 struct Sink {
   Present& present;
   bool acquire(unsigned buffer) { return present.acquire(static_cast<int>(buffer)) == hal::Status::ok; }
   bool operator()(const Picture::BandView& band) {
+    Canvas<Rgb565Swapped> canvas(band.pixels, Panel::width, band.y0, band.y1);
+    gauges.write(canvas, spanline_fonts::sans_14);
     return present.submit(band.y0, band.y1, static_cast<int>(band.buffer)) == hal::Status::ok;
   }
 };
@@ -44,9 +48,9 @@ hal::Status show(std::uint32_t frame, Picture& renderer, Present& present, bool 
   gauges.make(frame, Panel::width, Panel::height);
   FrameSettings settings;
   settings.cull = Cull::none;
-  settings.background = {0, 0, 32};
+  settings.background = scenes::Gauges::background;
   const bool good = renderer.begin(settings).ok() && renderer.add_screen(gauges.vertices(), gauges.colours()).ok();
-  if (!good || gauges.full()) board::write("gauges: a pool is full\n");
+  if (!good) board::write("gauges: a pool is full\n");
   const Status drawn = renderer.draw(Sink{present});
   if (drawn.fault == Fault::pool_full) board::write("gauges: a pool is full\n");
   return last ? present.end_frame() : present.end_frame_early();

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <exception>
 #include <fstream>
+#include <sans_14.hpp>
 #include <stdexcept>
 #include <string>
 #include <teapot.hpp>
@@ -61,7 +62,7 @@ std::vector<std::uint16_t> draw_gauges(std::uint32_t number, int width, int heig
   gauges.make(number, width, height);
   FrameSettings settings;
   settings.cull = Cull::none;
-  settings.background = {0, 0, 32};
+  settings.background = scenes::Gauges::background;
   std::vector<std::uint16_t> pixels;
   const bool good = renderer.begin(settings).ok() && renderer.add_screen(gauges.vertices(), gauges.colours()).ok() &&
                     renderer
@@ -71,6 +72,8 @@ std::vector<std::uint16_t> draw_gauges(std::uint32_t number, int width, int heig
                         })
                         .ok();
   if (!good) throw std::runtime_error("the renderer refuses the gauges");
+  Canvas<Rgb565> canvas(pixels, width, 0, height);
+  gauges.write(canvas, spanline_fonts::sans_14);
   return pixels;
 }
 
