@@ -64,7 +64,7 @@ def main():
     parser.add_argument("--compiler", default="arm-none-eabi-g++")
     arguments = parser.parse_args()
     try:
-        for image in ("turntable", "turntable_flat_stops", "turntable_ili9341"):
+        for image in ("turntable", "turntable_flat_stops", "turntable_ili9341", "gauges"):
             check_map("pico", image)
         check_map("lm3s6965evb", "turntable")
         check_refusal(arguments.compiler)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "spanline/geometry/transform_armv6m.hpp"
 #include "spanline/math/bits.hpp"
 #include "spanline/math/integer.hpp"
 #include "spanline/math/reciprocal.hpp"
@@ -169,6 +170,36 @@ void VertexTransform::run_all(std::span<const Vertex16> vertices, ScreenVertex* 
     ++out;
   }
 }
+
+#if defined(__ARM_ARCH_6M__)
+template <>
+void VertexTransform::run_all<false>(std::span<const Vertex16> vertices, ScreenVertex* out) const {
+  if (vertices.empty()) return;
+  const auto low = [this](int j) { return word(z_[j] & low_mask); };
+  const auto high = [this](int j) { return word(z_[j] >> low_bits); };
+  const armv6m::TransformWords words{.z_high = {high(0), high(1), high(2)},
+                                     .z_low = {low(0), low(1), low(2)},
+                                     .z_offset = word(tz_),
+                                     .x = {x_[0], x_[1], x_[2]},
+                                     .x_offset = tx_,
+                                     .y = {y_[0], y_[1], y_[2]},
+                                     .y_offset = ty_,
+                                     .leading_zeros_of_byte = detail::leading_zeros_of_byte.data(),
+                                     .reciprocal_seed = detail::reciprocal_seed.data(),
+                                     .shift = shift_,
+                                     .twice_centre_x = 2 * centre_x_ + 1,
+                                     .twice_centre_y = 2 * centre_y_ + 1,
+                                     .scale_low = depth_scale_ & 0xffff,
+                                     .scale_high = depth_scale_ >> 16,
+                                     .depth_shift = depth_shift_,
+                                     .depth_base = depth_base_,
+                                     .depth_fraction = depth_fraction_,
+                                     .nearest = nearest_,
+                                     .farthest = farthest_,
+                                     .depth_position = static_cast<std::uint32_t>(32 - depth_bits_)};
+  armv6m::transform_vertices(&words, vertices.data(), out, vertices.data() + vertices.size());
+}
+#endif
 
 void VertexTransform::run(std::span<const Vertex16> vertices, ScreenVertex* out, bool with_outcodes) const {
   if (with_outcodes)
