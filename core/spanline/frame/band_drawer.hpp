@@ -129,7 +129,7 @@ class BandDrawer {
     if (!sink.acquire(buffer_of(band))) return false;
     visibility_.clear(target(scene, band, band_view(band)),
                       [&](auto value, std::uint32_t count, auto* words) { sink.fill(value, count, words); });
-    cleared_ = band;
+    cleared_ = static_cast<std::uint16_t>(band);
     return true;
   }
   /// Nothing has been cleared ahead.
@@ -165,7 +165,7 @@ class BandDrawer {
   [[nodiscard]] const Visibility& visibility() const { return visibility_; }
 
  private:
-  static constexpr std::uint32_t none = ~std::uint32_t{0};
+  static constexpr std::uint16_t none = 0xffff;
 
   /// Waits for a band's buffer and has it cleared.
   template <class Sink>
@@ -229,7 +229,7 @@ class BandDrawer {
   Capacity capacity_;
   Pools pools_{};
   Visibility visibility_{};
-  std::uint32_t cleared_ = none;   ///< band that is being cleared ahead
+  std::uint16_t cleared_ = none;   ///< band that is being cleared ahead
   std::uint8_t first_buffer_ = 0;  ///< colour band that the frame's first band of lines goes to
   BandShare share_ = BandShare::all;
 };
