@@ -30,14 +30,14 @@ std::int32_t product(std::int32_t a, std::int32_t b) {
 
 /// (1 − square/range²)² in 65536ths.
 std::uint32_t fading(const DirectedLength& distance, std::int64_t range) {
-  // Both in the distance's units, the range cut to 31 bits.
-  int exponent = distance.exponent;
-  std::int64_t scaled = exponent >= 0 ? range >> exponent : range * (std::int64_t{1} << -exponent);
-  std::uint64_t square = distance.square;
-  const int excess = std::max(0, 33 - leading_zeros_64(static_cast<std::uint64_t>(scaled) | 1));
-  if (excess > 30) return 65536;
+  // Both in the distance's units, in which it has 30 bits; then the range cut to 31.
+  const int range_bits = 64 - leading_zeros_64(static_cast<std::uint64_t>(range) | 1) - distance.exponent;
+  if (range_bits > 60) return 65536;
+  std::int64_t scaled =
+      distance.exponent >= 0 ? range >> distance.exponent : range * (std::int64_t{1} << -distance.exponent);
+  const int excess = std::max(0, range_bits - 31);
   scaled >>= excess;
-  square >>= 2 * excess;
+  const std::uint64_t square = distance.square >> 2 * excess;
   const auto whole = static_cast<std::uint64_t>(scaled) * static_cast<std::uint64_t>(scaled);
   if (square >= whole) return 0;
   // Both below 2^62; 16 bits of a quotient.
