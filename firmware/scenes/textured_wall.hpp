@@ -27,6 +27,15 @@ inline constexpr Mesh mesh = [] {
   return wall;
 }();
 
+/// The same with normals for the light: as if the wall were a bay.
+inline constexpr std::array<PackedNormal, 4> normals{PackedNormal(-300, 100, 400), PackedNormal(350, 200, 310),
+                                                     PackedNormal(350, -200, 310), PackedNormal(-300, -100, 400)};
+inline constexpr Mesh lit_mesh = [] {
+  Mesh wall = mesh;
+  wall.vertex_normals = normals;
+  return wall;
+}();
+
 /// A checker of 8 × 8 fields.
 inline constexpr std::array<std::uint16_t, 64 * 64> texels = [] {
   std::array<std::uint16_t, 64 * 64> table{};
@@ -34,6 +43,16 @@ inline constexpr std::array<std::uint16_t, 64 * 64> texels = [] {
   return table;
 }();
 inline constexpr Texture texture{.log2_width = 6, .log2_height = 6, .words = texels};
+
+/// A checker of 4 × 4 fields in 32 × 32 texels with a grain in blue, so that no texel is like its neighbours.
+inline constexpr std::array<std::uint16_t, 32 * 32> grained_texels = [] {
+  std::array<std::uint16_t, 32 * 32> table{};
+  for (std::uint32_t i = 0; i < table.size(); ++i)
+    table[i] =
+        static_cast<std::uint16_t>((((i >> 2) ^ (i >> 7)) & 1 ? 0xd5a8 : 0x39a8) + ((i * 2654435769u >> 20) & 15));
+  return table;
+}();
+inline constexpr Texture grained{.log2_width = 5, .log2_height = 5, .words = grained_texels};
 
 /// The view, for a picture 240 lines high.
 inline FrameSettings settings() {
@@ -43,6 +62,17 @@ inline FrameSettings settings() {
   frame.camera.far_plane = 16.0_q16;
   return frame;
 }
+inline constexpr std::array<DirectionalLight, 1> lights{{{{0.6_q30, {}, 0.8_q30}, Fixed<16>::from_ratio(9, 10)}}};
+/// The view of benchmark scene S6F: the same wall, lit and in fog.
+inline FrameSettings fogged_settings() {
+  FrameSettings frame = settings();
+  frame.lighting = {Fixed<16>::from_ratio(1, 10), lights};
+  frame.fog = {FogCurve::linear, Q16_16::from_ratio(9, 4), 7.0_q16, {160, 176, 200}};
+  return frame;
+}
+inline constexpr Material lit_material{.colour = {255, 255, 255},
+                                       .shading = ShadingMode::gouraud,
+                                       .texturing = {.texture = &texture, .function = TextureFunction::modulate}};
 inline constexpr Material material{.texturing = {.texture = &texture, .function = TextureFunction::replace}};
 
 }  // namespace textured_wall

@@ -109,6 +109,7 @@ class Renderer {
     cull_ = settings.cull;
     stipple_seed_ = settings.stipple_seed;
     effects_wanted_ = settings.fog.curve != FogCurve::none || settings.dither;
+    dither_wanted_ = settings.dither;
     background_ = Format::from(settings.background);
     prepare_effects(settings);
     view_ = {settings.camera, viewport(), Depth::bits, Depth::nearest, Depth::farthest};
@@ -129,7 +130,8 @@ class Renderer {
     const bool holes = texels_have_alpha && material.texturing.alpha == TexelAlpha::cut_out;
     const bool varies = varying_opacity(mesh) || (texels_have_alpha && !holes);
     const std::uint8_t shader = shader_for<Traits>(
-        material, {!mesh.vertex_colours.empty(), textured, effects_wanted_, varies, local_light, relief, volume});
+        material, {!mesh.vertex_colours.empty(), textured, effects_wanted_, varies, local_light, relief, volume,
+                   dither_wanted_});
     const std::uint32_t first_id = used_.ids;
     used_.ids += static_cast<std::uint32_t>(mesh.triangle_count());
     // Opacities of vertices go with the group's own light.
@@ -260,7 +262,8 @@ class Renderer {
       has_ramps || has_translucent || Shaders::template index_of<GouraudColourShader<Format>> < Shaders::count;
   static constexpr bool has_textures =
       Shaders::first([]<class Shader>() { return DrawsTextures<Shader> || Translucent<Shader>; }) < Shaders::count;
-  static constexpr bool has_effects = general < Shaders::count || has_translucent;
+  static constexpr bool has_effects = general < Shaders::count || has_translucent ||
+                                      Shaders::first([]<class Shader>() { return Fogged<Shader>; }) < Shaders::count;
   [[nodiscard]] static constexpr bool is_general(std::uint8_t shader) {
     return has_effects && (shader == general || shader == translucent);
   }
@@ -523,6 +526,7 @@ class Renderer {
   Cull cull_{};
   std::uint8_t stipple_seed_ = 0;
   bool effects_wanted_ = false;  ///< fog or dither
+  bool dither_wanted_ = false;
   Pixel background_{};
   FrameView view_{};
   [[no_unique_address]] std::conditional_t<has_effects, FrameEffects, NoEffects> effects_;

@@ -2,6 +2,7 @@
 #include "spanline/model/material.hpp"
 #include "spanline/raster/depth_format.hpp"
 #include "spanline/shade/flat.hpp"
+#include "spanline/shade/fogged_texels.hpp"
 #include "spanline/shade/general_shader.hpp"
 #include "spanline/shade/gouraud.hpp"
 #include "spanline/shade/item_shaders.hpp"
@@ -87,9 +88,20 @@ using TextureTraits = RendererTraits<Depth, Format,
                                                 RepeatedTextureShader<Format, TexelFormat::rgb565, GouraudTexelLight>>,
                                      Statistics, Visibility>;
 
-/// The same shaders, and one behind them that serves whatever they do not: other texel formats, clamping, bilinear
-/// filtering, mip maps, texture functions, coloured surfaces under a texture, fog and dither; and point lights,
-/// highlights, relief and solids of tables.
+/// The same, and textures in fog. In a frame with fog it draws nothing but those.
+template <class Format = Rgb565, class Depth = Depth16<>, bool Statistics = false, class Visibility = ZBuffer>
+using FoggedTextureTraits =
+    RendererTraits<Depth, Format,
+                   ShaderList<FlatShader<Format>, GouraudShader<Format>, GouraudColourShader<Format>,
+                              RepeatedTextureShader<Format, TexelFormat::rgb565, NoTexelLight>,
+                              RepeatedTextureShader<Format, TexelFormat::rgb565, FlatTexelLight>,
+                              RepeatedTextureShader<Format, TexelFormat::rgb565, GouraudTexelLight>,
+                              FoggedTextureShader<Format, TexelFormat::rgb565>>,
+                   Statistics, Visibility>;
+
+/// The shaders of TextureTraits, and one behind them that serves whatever they do not: other texel formats, clamping,
+/// bilinear filtering, mip maps, texture functions, coloured surfaces under a texture, fog and dither; and point
+/// lights, highlights, relief and solids of tables.
 template <class Format = Rgb565, class Depth = Depth16<>, bool Statistics = false, class Visibility = ZBuffer>
 using GeneralTraits = RendererTraits<
     Depth, Format,
@@ -106,6 +118,12 @@ concept DrawsTextures = requires(const Material& material) {
   Shader::serves(material, true);
 };
 
+/// Whether a shader is for frames with fog alone.
+template <class Shader>
+concept Fogged = DrawsTextures<Shader> && requires {
+  requires Shader::fogged;
+};
+
 /// Whether a see-through shader's opacity may vary over a polygon.
 template <class Shader>
 concept Translucent = SeeThrough<Shader> && requires {
@@ -120,6 +138,7 @@ struct SurfaceNeeds {
   bool local_light = false;  ///< point lights or highlights (shade/local_light.hpp)
   bool relief = false;       ///< bump mapping or embossing (shade/relief.hpp)
   bool volume = false;       ///< a solid (shade/volume.hpp)
+  bool dither = false;       ///< of the effects
 };
 
 /// Whether a shader serves a material, but for its opacity.
@@ -132,9 +151,12 @@ template <class Shader, class Format>
       return needs.relief && Shader::serves(material, needs.vertex_colours);
     return false;
   }
-  // Of those that draw textures, the general shader alone has effects and local light.
+  // Of those that draw textures, the general shader alone has all effects and local light; some are for fog.
   if constexpr (std::is_same_v<Shader, GeneralShader<Format>>)
     return needs.textured || needs.effects;
+  else if constexpr (Fogged<Shader>)
+    return needs.textured && needs.effects && !needs.dither && !needs.local_light &&
+           Shader::serves(material, needs.vertex_colours);
   else if (needs.effects)
     return false;
   else if constexpr (DrawsTextures<Shader>)

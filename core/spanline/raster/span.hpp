@@ -44,14 +44,6 @@ concept RunBlocks = requires(B blocks, const B& view) {
   blocks.next();
 };
 
-/// Blocks that can be had 16 columns at a time: at the start of one, `certain(n)` gives the next n, or none; its `next`
-/// is what a source takes up with `restart` where a block begins, and `leave` goes on behind the last.
-template <class B>
-concept WholeBlocks = RunBlocks<B> && requires(B blocks, const B& view) {
-  view.at_block();
-  blocks.leave(view.certain(1u));
-};
-
 /// A surface whose attributes are not linear over the screen (perspective textures): a run is drawn in pieces, each of
 /// which is.
 template <class S>
@@ -81,6 +73,61 @@ template <RunBlocks Blocks, class Visit>
     if (count == 0) return;
     blocks.next();
   }
+}
+
+/// A surface whose blocks of 16 columns can be had some at a time: `certain(column, count)` says whether those of a run
+/// can, and gives them by `take`. `source(column)` then wants a block: it takes one up with `restart(block)`, where it
+/// stands at the block's start, and with `restart(block, into)` at a column of it; bends by `bend(block)`; and is told
+/// of the `next_block()`. `fill_blocks` draws whole ones without a depth test.
+template <class S>
+concept SurfaceInCertainBlocks = SurfaceInBlocks<S> && requires(const S& surface, std::int32_t column) {
+  { surface.certain(column, 1u).certain() } -> std::convertible_to<bool>;
+  { surface.source(column) } -> PixelSource;
+};
+
+/// One whose pixels are words of a table, at ((u >> 16) & mask_u) + ((v >> 12) & mask_v): loops in assembly know it.
+template <class S>
+concept TableSurface = SurfaceInCertainBlocks<S> && requires(const S& s) {
+  { s.texels.table[0] } -> std::convertible_to<std::uint32_t>;
+  { s.texels.mask_u + s.texels.mask_v } -> std::convertible_to<std::uint32_t>;
+  requires S::plain_texels;
+};
+
+/// Goes through the blocks of a run of `count` ≥ 1 pixels: part(column, block, into, pixels) for those that the run
+/// cuts, `into` columns of which lie before it; whole(column, blocks, count) for whole ones. False, with nothing done,
+/// where the surface cannot give them.
+template <SurfaceInCertainBlocks Surface, class Part, class Whole>
+[[gnu::always_inline]] inline bool for_certain_blocks(const Surface& surface, std::int32_t column, std::uint32_t count,
+                                                      Part part, Whole whole) {
+  auto certain = surface.certain(column, count);
+  if (!certain.certain()) return false;
+  constexpr std::uint32_t block = 16, most = decltype(certain)::most;
+  typename decltype(certain)::Block blocks[most];
+  std::uint32_t into = certain.into_block();
+  const auto* next = blocks;
+  for (std::uint32_t left = (into + count + block - 1) / block; left != 0;) {
+    const std::uint32_t some = left < most ? left : most;
+    certain.take(blocks, some);
+    left -= some;
+    next = blocks;
+    std::uint32_t wholes = some;
+    if (into != 0) {
+      const std::uint32_t pixels = block - into < count ? block - into : count;
+      part(column, *next++, into, pixels);
+      column += static_cast<std::int32_t>(pixels);
+      count -= pixels;
+      --wholes;
+      into = 0;
+    }
+    if (wholes * block > count) --wholes;
+    if (wholes == 0) continue;
+    whole(column, next, wholes);
+    column += static_cast<std::int32_t>(wholes * block);
+    count -= wholes * block;
+    next += wholes;
+  }
+  if (count != 0) part(column, *next, 0, count);
+  return true;
 }
 
 /// A shader of polygons that what lies behind may show through. Its surfaces come in blocks. `blends()` of a surface

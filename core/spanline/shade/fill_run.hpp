@@ -38,10 +38,47 @@ template <PixelSource Source, class Pixel>
   fill_stepped(pixels, count, source);
 }
 
+/// Pixels of one block, of whose first piece `piece` pixels are left; `bend` goes from one piece to the next.
+template <class Source, class Pixel, class Bend>
+[[gnu::always_inline]] inline void fill_pieces(Pixel* pixels, Source source, std::uint32_t piece, std::uint32_t count,
+                                               Bend bend) {
+  for (;;) {
+    put(pixels++, source);
+    if (--count == 0) return;
+    source.forward();
+    if (--piece != 0) continue;
+    bend(source);
+    piece = 4;
+  }
+}
+
+template <RunBlocks Blocks, class Pixel>
+[[gnu::noinline]] void fill_blocks(Pixel* pixels, std::uint32_t count, Blocks blocks) {
+  for (;;) {
+    const std::uint32_t in_block = blocks.rest_of_block() < count ? blocks.rest_of_block() : count;
+    count -= in_block;
+    fill_pieces(pixels, blocks.source(), blocks.rest(), in_block, [](auto& source) { source.bend(); });
+    if (count == 0) return;
+    pixels += in_block;
+    blocks.next();
+  }
+}
+
+template <class Surface, class Steps, class Pixel>
+[[gnu::noinline]] void fill_part(Pixel* pixels, std::uint32_t count, const Surface& surface, std::int32_t column,
+                                 const Steps& block, std::uint32_t into) {
+  auto source = surface.source(column);
+  source.restart(block, into);
+  fill_pieces(pixels, source, 4 - (into & 3), count, [&](auto& s) { s.bend(block); });
+}
+
 /// Whole blocks are straight code.
-template <class Source, class Certain, class Pixel>
-[[gnu::always_inline]] inline void fill_whole_blocks(Pixel* pixels, Source source, Certain& certain) {
-  for (std::uint32_t left = certain.count();;) {
+template <class Surface, class Steps, class Pixel>
+[[gnu::noinline]] void fill_whole_blocks(Pixel* pixels, std::uint32_t count, const Surface& surface,
+                                         std::int32_t column, const Steps* blocks) {
+  auto source = surface.source(column);
+  for (const Steps* const end = blocks + count;;) {
+    source.restart(*blocks);
 #pragma GCC unroll 4
     for (std::size_t piece = 0; piece < 4; ++piece) {
 #pragma GCC unroll 4
@@ -49,48 +86,26 @@ template <class Source, class Certain, class Pixel>
         put(pixels + 4 * piece + i, source);
         source.forward();
       }
-      if (piece != 3) source.bend();
+      if (piece != 3) source.bend(*blocks);
     }
-    if (--left == 0) return;
+    if (++blocks == end) return;
+    source.next_block();
     pixels += 16;
-    source.restart(certain.next());
   }
 }
 
-template <RunBlocks Blocks, class Pixel>
-[[gnu::noinline]] void fill_blocks(Pixel* pixels, std::uint32_t count, Blocks blocks) {
-  for (;;) {
-    if constexpr (WholeBlocks<Blocks>) {
-      if (count >= 16 && blocks.at_block()) {
-        auto certain = blocks.certain(count / 16);
-        if (certain.count() != 0) {
-          fill_whole_blocks(pixels, blocks.source(), certain);
-          pixels += 16 * certain.count();
-          count -= 16 * certain.count();
-          if (count == 0) return;
-          blocks.leave(certain);
-          continue;
-        }
-      }
-    }
-    const std::uint32_t in_block = blocks.rest_of_block() < count ? blocks.rest_of_block() : count;
-    count -= in_block;
-    auto source = blocks.source();
-    std::uint32_t left = in_block, piece = blocks.rest();
-    for (;;) {
-      if (piece > left) piece = left;
-      left -= piece;
-      for (; piece != 0; --piece) {
-        put(pixels++, source);
-        source.forward();
-      }
-      if (left == 0) break;
-      source.bend();
-      piece = 4;
-    }
-    if (count == 0) return;
-    blocks.next();
-  }
+template <SurfaceInCertainBlocks Surface, class Pixel>
+[[gnu::noinline]] void fill_certain_blocks(Pixel* pixels, std::uint32_t count, const Surface& surface,
+                                           std::int32_t first) {
+  const auto at = [=](std::int32_t column) { return pixels + (column - first); };
+  if (for_certain_blocks(
+          surface, first, count,
+          [&](std::int32_t column, const auto& block, std::uint32_t into, std::uint32_t in_block)
+              __attribute__((always_inline)) { fill_part(at(column), in_block, surface, column, block, into); },
+          [&](std::int32_t column, const auto* blocks, std::uint32_t some)
+              __attribute__((always_inline)) { fill_whole_blocks(at(column), some, surface, column, blocks); }))
+    return;
+  fill_blocks(pixels, count, surface.blocks(first));
 }
 
 }  // namespace fill_detail
@@ -103,6 +118,8 @@ template <class Surface, class Pixel>
                                             Pixel* pixels) {
   if constexpr (requires { surface.lay(column, count, pixels); }) {
     surface.lay(column, count, pixels);
+  } else if constexpr (SurfaceInCertainBlocks<Surface>) {
+    fill_detail::fill_certain_blocks(pixels, count, surface, column);
   } else if constexpr (SurfaceInBlocks<Surface>) {
     fill_detail::fill_blocks(pixels, count, surface.blocks(column));
   } else {

@@ -106,7 +106,7 @@ struct GeneralShader {
       const auto vertex = [&](unsigned i) { return group.textured->vertices[gradients.index(corners[i])]; };
       const std::array<TextureVertex, 3> vertices{vertex(0), vertex(1), vertex(2)};
       const TexturePlaneValues values =
-          texture_plane_values(vertices, texturing.mapping, {texture.log2_width, texture.log2_height, 16, 16, 0});
+          texture_plane_values(vertices, texturing.mapping, {texture.log2_width, texture.log2_height, 16, 16});
       fit_texture_plane(gradients, values, surface.plane);
       surface.density = texel_density(corners, vertices, texture, values);
     }

@@ -7,7 +7,7 @@
 #include "spanline/raster/span.hpp"
 #include "spanline/shade/frame_effects.hpp"
 #include "spanline/shade/shading_group.hpp"
-#include "spanline/shade/texture_plane.hpp"
+#include "spanline/shade/texture_blocks.hpp"
 
 namespace spanline {
 

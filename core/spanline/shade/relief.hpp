@@ -50,7 +50,7 @@ struct ReliefSurface {
     const auto vertex = [&](unsigned i) { return group->vertices[gradients.index(corners[i])]; };
     fit_texture_plane(gradients,
                       texture_plane_values({vertex(0), vertex(1), vertex(2)}, group->texturing.mapping,
-                                           {map.log2_width, map.log2_height, 16, 16, 0}),
+                                           {map.log2_width, map.log2_height, 16, 16}),
                       plane);
     set_polygon(shading, polygon.polygon);
     if (shading.vertex_shades != nullptr) {

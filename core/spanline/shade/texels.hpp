@@ -28,7 +28,6 @@ struct TexelLevel {
 template <TexelFormat Format>
 struct RepeatedTexels {
   static constexpr bool has_holes = Format == TexelFormat::rgb565_cutout;
-  static constexpr std::int32_t offset = 0;
   static constexpr int fraction_u = 16;
   [[nodiscard]] static constexpr int fraction_v(unsigned log2_width) { return 12 + static_cast<int>(log2_width); }
 

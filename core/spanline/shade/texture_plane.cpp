@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "spanline/math/bits.hpp"
+
 namespace spanline {
 namespace {
 
@@ -34,31 +36,32 @@ struct Axis {
   }
 
   /// The coordinate itself, in its format less the guard bits.
-  void affine(int log2_size, int fraction, std::int32_t offset, std::array<std::int32_t, 3>& values,
-              std::uint32_t& base) const {
+  void affine(int log2_size, int fraction, std::array<std::int32_t, 3>& values, std::uint32_t& base) const {
     const int guard = 32 - affine_bits;
     for (unsigned i = 0; i < 3; ++i) {
       const int shift = log2_size + fraction - guard - unit_bits;
       const std::uint64_t value = shift >= 0 ? static_cast<std::uint64_t>(above[i]) << shift : above[i] >> -shift;
       values[i] = static_cast<std::int32_t>(value & ((1u << affine_bits) - 1));
     }
-    base = scaled(least, log2_size + fraction - unit_bits) + scaled(offset, fraction - 16);
+    base = scaled(least, log2_size + fraction - unit_bits);
   }
 
-  /// The coordinate between a quarter and three quarters of a power of two, times w: block ends may lie outside the
-  /// polygon.
-  void perspective(int log2_size, int fraction, std::int32_t offset, const std::array<std::int32_t, 3>& w,
+  /// The coordinate, less whole textures, between a quarter and three quarters of a power of two textures, times w:
+  /// block ends may lie outside the polygon.
+  void perspective(int log2_size, int fraction, const std::array<std::int32_t, 3>& w,
                    std::array<std::int32_t, 3>& values, std::uint32_t& base, std::uint32_t& shift) const {
-    // Twice the span fits 2^exponent; no shift below goes beyond a quarter's bits.
     const int to_format = log2_size + fraction - unit_bits;
-    const int exponent = std::clamp(bit_count(span) + 1, 2 - to_format, 31);
+    const std::uint32_t first = word(least) & ((1u << unit_bits) - 1);
+    // Twice that span fits 2^exponent.
+    const int exponent = std::clamp(bit_count(span + first) + 1, unit_bits + 2, 31);
     for (unsigned i = 0; i < 3; ++i) {
-      const std::uint32_t share = quarter + (exponent > 30 ? above[i] >> 1 : above[i] << (30 - exponent));
+      const std::uint32_t value = above[i] + first;
+      const std::uint32_t share = quarter + (exponent > 30 ? value >> 1 : value << (30 - exponent));
       values[i] = signed_word((multiply_high(word(w[i]) << 8, share) + 32) >> 6);
     }
-    const int places = exponent - 30 + to_format;
-    shift = word(places);
-    base = scaled(least, to_format) + scaled(offset, fraction - 16) - scaled(signed_word(quarter), places);
+    shift = word(30 - exponent - to_format);
+    const std::int32_t whole = least - signed_word(first);
+    base = scaled(whole, to_format) - scaled(1 << (exponent - 2), to_format);
   }
 };
 
@@ -82,14 +85,14 @@ TexturePlaneValues texture_plane_values(const std::array<TextureVertex, 3>& corn
   if (mapping == TextureMapping::affine || level) {
     values.way = TexturePlane::Way::affine;
     values.bits = affine_bits;
-    s.affine(scale.log2_width, scale.fraction_u, scale.offset, values.u, values.base_u);
-    t.affine(scale.log2_height, scale.fraction_v, scale.offset, values.v, values.base_v);
+    s.affine(scale.log2_width, scale.fraction_u, values.u, values.base_u);
+    t.affine(scale.log2_height, scale.fraction_v, values.v, values.base_v);
     return values;
   }
   values.way = TexturePlane::Way::blocks;
   values.bits = perspective_bits;
-  s.perspective(scale.log2_width, scale.fraction_u, scale.offset, values.w, values.u, values.base_u, values.shift_u);
-  t.perspective(scale.log2_height, scale.fraction_v, scale.offset, values.w, values.v, values.base_v, values.shift_v);
+  s.perspective(scale.log2_width, scale.fraction_u, values.w, values.u, values.base_u, values.shift_u);
+  t.perspective(scale.log2_height, scale.fraction_v, values.w, values.v, values.base_v, values.shift_v);
   return values;
 }
 

@@ -1,12 +1,15 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
+#include <type_traits>
 
 #include "spanline/raster/linear_function.hpp"
 #include "spanline/raster/span.hpp"
+#include "spanline/shade/fill_run.hpp"
 #include "spanline/shade/shading_group.hpp"
 #include "spanline/shade/spread_565.hpp"
 #include "spanline/shade/texels.hpp"
-#include "spanline/shade/texture_plane.hpp"
+#include "spanline/shade/texture_blocks.hpp"
 
 namespace spanline {
 
@@ -17,12 +20,14 @@ struct NoTexelLight {
     [[nodiscard]] std::uint32_t apply(std::uint32_t rgb565) const { return rgb565; }
     void forward() {}
     void back() {}
+    void bend() {}
+    void next_block() {}
   };
   void next_row() {}
   void skip_rows(std::int32_t) {}
   [[nodiscard]] Stepper at(std::int32_t) const { return {}; }
 
-  static constexpr bool interpolates = false;
+  static constexpr bool interpolates = false, fogged = false;
   [[nodiscard]] static bool serves(const Material& material) {
     return material.texturing.function == TextureFunction::replace;
   }
@@ -46,13 +51,15 @@ struct FlatTexelLight {
     }
     void forward() {}
     void back() {}
+    void bend() {}
+    void next_block() {}
   };
   std::uint32_t level;
   void next_row() {}
   void skip_rows(std::int32_t) {}
   [[nodiscard]] Stepper at(std::int32_t) const { return {level}; }
 
-  static constexpr bool interpolates = false;
+  static constexpr bool interpolates = false, fogged = false;
   [[nodiscard]] static bool serves(const Material& material) {
     return texel_light::plain(material) && material.shading == ShadingMode::flat;
   }
@@ -73,13 +80,15 @@ struct GouraudTexelLight {
     }
     void forward() { value += step; }
     void back() { value -= step; }
+    void bend() {}
+    void next_block() {}
   };
   LinearFunction light;
   void next_row() { light.next_row(); }
   void skip_rows(std::int32_t rows) { light.skip_rows(rows); }
   [[nodiscard]] Stepper at(std::int32_t column) const { return {light.at(column), light.dx}; }
 
-  static constexpr bool interpolates = true;
+  static constexpr bool interpolates = true, fogged = false;
   [[nodiscard]] static bool serves(const Material& material) {
     return texel_light::plain(material) && material.shading == ShadingMode::gouraud;
   }
@@ -99,11 +108,12 @@ template <class Format, class Texels, class Light>
 struct TextureShader {
   using Pixel = typename Format::Pixel;
   static constexpr bool interpolates = true;
+  static constexpr bool fogged = Light::fogged;  ///< for frames with fog, and no others
 
   struct Source {
     static constexpr bool constant = false;
     static constexpr bool has_holes = Texels::has_holes;
-    TextureBlocks::Coordinates coordinates;
+    TextureSteps coordinates;
     typename Light::Stepper light;
     Texels texels;
     [[nodiscard]] bool present() const { return Texels::present(texels.at(coordinates.u, coordinates.v)); }
@@ -118,15 +128,20 @@ struct TextureShader {
       coordinates.back();
       light.back();
     }
-    void bend() { coordinates.bend(); }
-    /// From one block to the next; light goes on. Member by member: a copy of the whole goes through memory.
-    void restart(const TextureBlocks::Coordinates& c) {
-      coordinates.u = c.u;
-      coordinates.v = c.v;
-      coordinates.du = c.du;
-      coordinates.dv = c.dv;
-      coordinates.ddu = c.ddu;
-      coordinates.ddv = c.ddv;
+    void bend() {
+      coordinates.bend();
+      light.bend();
+    }
+    // Blocks that are kept elsewhere; light goes on, and is told of the next one.
+    void next_block() { light.next_block(); }
+    void bend(const TextureBlock& block) {
+      coordinates.bend(block);
+      light.bend();
+    }
+    void restart(const TextureBlock& block) { coordinates.restart(block); }
+    void restart(const TextureBlock& block, std::uint32_t into) {
+      coordinates.restart(block);
+      coordinates.skip(into, block);
     }
   };
 
@@ -134,26 +149,33 @@ struct TextureShader {
   class Blocks {
    public:
     Blocks(const Surface& surface, std::int32_t column) : surface_(surface), walk_(surface.plane, column) {}
-    [[nodiscard]] std::uint32_t rest() const { return walk_.rest(); }
-    [[nodiscard]] std::uint32_t rest_of_block() const { return walk_.rest_of_block(); }
-    [[nodiscard]] bool at_block() const { return walk_.at_block(); }
+    [[nodiscard]] std::uint32_t rest() const {
+      return Light::fogged ? std::min(walk_.rest(), rest_of(TextureBlocks::piece_columns)) : walk_.rest();
+    }
+    [[nodiscard]] std::uint32_t rest_of_block() const {
+      return Light::fogged ? std::min(walk_.rest_of_block(), rest_of(TextureBlocks::block_columns))
+                           : walk_.rest_of_block();
+    }
     [[nodiscard]] Source source() const {
-      Source source;
-      source.restart(walk_.coordinates());
-      source.light = surface_.light.at(walk_.column());
-      source.texels = surface_.texels;
+      Source source = surface_.source(walk_.column());
+      source.coordinates = walk_.coordinates();
       return source;
     }
-    void next() { walk_.next(); }
-    [[nodiscard]] TextureBlocks::CertainBlocks certain(std::uint32_t count) const { return walk_.certain(count); }
-    void leave(const TextureBlocks::CertainBlocks& blocks) { walk_.leave(blocks); }
+    void next() { walk_.next(rest_of_block()); }
 
    private:
+    /// Pixels left of so many columns of the screen, a power of two: fog has pieces and blocks everywhere.
+    [[nodiscard]] std::uint32_t rest_of(std::int32_t columns) const {
+      return word(columns - ((walk_.column() + surface_.plane.origin) & (columns - 1)));
+    }
     const Surface& surface_;
     TextureBlocks walk_;
   };
 
   struct Surface {
+    /// Pixels are texels as they are.
+    static constexpr bool plain_texels = std::is_same_v<Light, NoTexelLight> && !Texels::has_holes &&
+                                         !Texels::in_bytes && Format::from_rgb565(0x1234) == 0x1234;
     TexturePlane plane;
     Light light;
     Texels texels;
@@ -166,6 +188,20 @@ struct TextureShader {
       light.skip_rows(rows);
     }
     [[nodiscard]] Blocks blocks(std::int32_t column) const { return {*this, column}; }
+    [[nodiscard]] CertainBlocks certain(std::int32_t column, std::uint32_t count) const {
+      return {plane, column, count};
+    }
+    /// Fills whole blocks from `column` on, without a depth test.
+    void fill_blocks(std::int32_t column, const TextureBlock* blocks, std::uint32_t count, Pixel* pixels) const {
+      fill_detail::fill_whole_blocks(pixels, count, *this, column, blocks);
+    }
+    /// A source without coordinates.
+    [[nodiscard]] Source source(std::int32_t column) const {
+      Source source;
+      source.light = light.at(column);
+      source.texels = texels;
+      return source;
+    }
   };
 
   [[nodiscard]] static bool serves(const Material& material, bool vertex_colours) {
@@ -185,7 +221,7 @@ struct TextureShader {
     fit_texture_plane(gradients,
                       texture_plane_values({vertex(0), vertex(1), vertex(2)}, texturing.mapping,
                                            {texture.log2_width, texture.log2_height, Texels::fraction_u,
-                                            Texels::fraction_v(texture.log2_width), Texels::offset}),
+                                            Texels::fraction_v(texture.log2_width)}),
                       surface.plane);
     surface.texels = Texels::of(TexelLevel::of(texture, 0));
     surface.light.make(group, polygon, gradients);

@@ -18,7 +18,7 @@ TexturePlaneValues VolumeGeometry::set(const std::array<Point, 3>& points, const
   const int cells = std::clamp(32 - leading_zeros_32(longest) - 16 + static_cast<int>(log2_size), 0, 8);
   constexpr std::int32_t one = 1 << 20;
   return texture_plane_values({TextureVertex{nearness[0], 0, 0}, {nearness[1], one, 0}, {nearness[2], 0, one}},
-                              TextureMapping::perspective, {cells, cells, 24 - cells, 24 - cells, 0});
+                              TextureMapping::perspective, {cells, cells, 24 - cells, 24 - cells});
 }
 
 }  // namespace spanline

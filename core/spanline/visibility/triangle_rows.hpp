@@ -96,10 +96,10 @@ class TriangleRows {
     else
       return source;
   }
-  template <RunBlocks Blocks>
+  template <SurfaceInBlocks Surface>
   static void block_run(typename Depth::Word* depth, Pixel* pixels, std::uint32_t pixel_count, std::uint32_t z,
-                        std::uint32_t dz, const Blocks& blocks, const Target& target) {
-    BlockRun<Depth, Pixel>::run(depth, pixels, pixel_count, z, dz, blocks,
+                        std::uint32_t dz, const Surface& surface, std::int32_t column, const Target& target) {
+    BlockRun<Depth, Pixel>::run(depth, pixels, pixel_count, z, dz, surface, column,
                                 [&](const auto& source) { return counted(source, target); });
   }
   static void count(const Target& target, std::uint32_t pixels) {
@@ -158,7 +158,7 @@ class TriangleRows {
           auto* depth = row.depth(first);
           Pixel* pixels = row.pixels(depth, first);
           if constexpr (SurfaceInBlocks<Surface>) {
-            block_run(depth, pixels, end - first, z + dz * first, dz, surface.blocks(static_cast<std::int32_t>(first)),
+            block_run(depth, pixels, end - first, z + dz * first, dz, surface, static_cast<std::int32_t>(first),
                       target);
           } else if (FractionBits == small_triangle::fraction_bits || end - first <= Run::short_limit) {
             Run::short_run(depth, pixels, end - first, z + dz * (end - 1), dz,
@@ -187,7 +187,7 @@ class TriangleRows {
                                                        std::uint32_t pixel_count, std::uint32_t z, std::uint32_t dz,
                                                        const Target& target) {
     if constexpr (SurfaceInBlocks<Surface>)
-      block_run(depth, pixels, pixel_count, z, dz, surface.blocks(column), target);
+      block_run(depth, pixels, pixel_count, z, dz, surface, column, target);
     else
       Run::run(depth, pixels, pixel_count, z, dz, counted(surface.source(column), target));
   }
