@@ -107,6 +107,18 @@ void wall(unsigned band) {
   });
 }
 
+/// S6F: the same wall, lit and in fog.
+template <class Depth, class Visibility = ZBuffer>
+void foggy_wall(unsigned band) {
+  namespace scene = scenes::textured_wall;
+  using Shaders = ShaderList<GouraudShader<Rgb565>, FoggedTextureShader<Rgb565, TexelFormat::rgb565>>;
+  measure<RendererTraits<Depth, Rgb565, Shaders, false, Visibility>>(
+      "S6F", {.vertices = 4, .shades = 4, .textures = 4, .polygons = 2, .active = 2}, band, [&](auto& renderer) {
+        (void)renderer.begin(scene::fogged_settings());
+        if (!renderer.add(scene::lit_mesh, {}, scene::lit_material).ok()) board::write("bench: a pool is full\n");
+      });
+}
+
 /// S8: four walls of S6 one behind the other, the farthest first, under bilinear texels.
 template <class Visibility>
 void hidden_walls() {
@@ -153,6 +165,8 @@ int main() {
   all<Depth24<>>(0);
   all<Depth24<>, Spanning>(1);
   all<Depth24<>, Spanning>(16);
+  foggy_wall<Depth16<>>(0);
+  foggy_wall<Depth24<>, Spanning>(16);
   layers(16);
   deferred();
   return 0;

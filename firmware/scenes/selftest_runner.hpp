@@ -22,6 +22,15 @@ struct SelftestResult {
 
 namespace selftest_detail {
 
+/// Textures with every kind of light that the scenes have.
+template <class Depth, class Visibility = ZBuffer>
+using TexturesOnly =
+    RendererTraits<Depth, Rgb565,
+                   ShaderList<GouraudShader<Rgb565>, RepeatedTextureShader<Rgb565, TexelFormat::rgb565, NoTexelLight>,
+                              RepeatedTextureShader<Rgb565, TexelFormat::rgb565, GouraudTexelLight>,
+                              FoggedTextureShader<Rgb565, TexelFormat::rgb565>>,
+                   false, Visibility>;
+
 /// Where a run's objects lie in the memory that it gets.
 template <class Traits>
 struct Layout {
@@ -149,6 +158,10 @@ constexpr auto with_traits(SelftestRenderer renderer, F&& f) {
       return call<Memory, surfaces_24, SurfaceTraits<ZBuffer>>(f);
     case span_surfaces:
       return call<Memory, span_surfaces, SurfaceTraits<Spanning>>(f);
+    case textures_16:
+      return call<Memory, textures_16, TexturesOnly<Depth16<>>>(f);
+    case span_textures:
+      return call<Memory, span_textures, TexturesOnly<Depth24<>, Spanning>>(f);
     case full_24_larger:
       break;
   }

@@ -219,6 +219,26 @@ inline void build_surfaces(const SelftestRequest& request, SelftestContent& cont
   content.add(surface_square::fading, screen, fading);
 }
 
+/// Walls under a texture: one that fills the view, lit, and two as they are, which cut through it and one another.
+template <bool Foggy>
+void build_walls(const SelftestRequest& request, SelftestContent& content) {
+  namespace scene = textured_wall;
+  content.settings = Foggy ? scene::fogged_settings() : scene::settings();
+  content.settings.lighting = {Fixed<16>::from_ratio(1, 10), scene::lights};
+  content.settings.background = {160, 176, 200};
+  content.settings.camera.focal = Q16_16::from_ratio(std::int64_t{4} * request.height, 3);
+  content.settings.cull = Cull::none;
+  Material lit = scene::lit_material, plain = scene::material;
+  lit.texturing.texture = plain.texturing.texture = &scene::grained;
+  content.add(scene::lit_mesh, {}, lit);
+  Transform across{rotation_y(Angle::from_degrees(-80))};
+  across.translation = {-1.5_q16, {}, -6.0_q16};
+  content.add(scene::mesh, across, plain);
+  Transform behind{rotation_z(Angle::from_degrees(20))};
+  behind.translation = {0.25_q16, 0.5_q16, -0.5_q16};
+  content.add(scene::mesh, behind, plain);
+}
+
 /// What culling normally leaves out.
 inline void build_inside_out(const SelftestRequest& request, SelftestContent& content) {
   build_mesh<torus, ShadingMode::flat>(request, content);

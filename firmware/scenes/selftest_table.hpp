@@ -24,19 +24,22 @@ enum class SelftestRenderer : std::uint8_t {
   span_layers,     ///< the same by spanning scan line, 24 bits
   surfaces_24,     ///< the general shader, opaque and see-through, 24-bit depth
   span_surfaces,   ///< the same by spanning scan line
+  textures_16,     ///< textures, plain, lit and in fog, 16-bit depth
+  span_textures,   ///< the same by spanning scan line, 24 bits
 };
 
 /// The renderer as lines of the self-test name it, in the column of the depth.
 [[nodiscard]] constexpr const char* to_string(SelftestRenderer renderer) {
-  constexpr const char* names[] = {"16-flat",   "16-flat-larger", "16",         "16-swapped", "24",
-                                   "24-larger", "24-flat",        "24",         "16-layers",  "24-layers",
-                                   "24-layers", "24-surfaces",    "24-surfaces"};
+  constexpr const char* names[] = {"16-flat",   "16-flat-larger", "16",          "16-swapped",  "24",
+                                   "24-larger", "24-flat",        "24",          "16-layers",   "24-layers",
+                                   "24-layers", "24-surfaces",    "24-surfaces", "16-textures", "24-textures"};
   return names[static_cast<unsigned>(renderer)];
 }
 
 [[nodiscard]] constexpr bool is_spanning(SelftestRenderer renderer) {
   return renderer == SelftestRenderer::span_flat || renderer == SelftestRenderer::span_full ||
-         renderer == SelftestRenderer::span_layers || renderer == SelftestRenderer::span_surfaces;
+         renderer == SelftestRenderer::span_layers || renderer == SelftestRenderer::span_surfaces ||
+         renderer == SelftestRenderer::span_textures;
 }
 
 /// One drawing of a scene.
@@ -366,6 +369,36 @@ inline constexpr SelftestScene scenes[] = {
      Pool::none,
      {{{surfaces_24, 16, 73056}, {span_surfaces, 120, 83368}}},
      8},
+    // Textures by their fast forms; in fog as well. The bands are high, so that boards of 64 KB leave them out: their
+    // flash has no room for two renderers more.
+    {"walls",
+     build_walls<false>,
+     {.width = 320,
+      .height = 240,
+      .instances = 3,
+      .vertices = 12,
+      .shades = 4,
+      .textures = 12,
+      .polygons = 16,
+      .active = 16},
+     0,
+     Pool::none,
+     {{{textures_16, 64, 128424}, {textures_16, 240, 309864}, {span_textures, 64, 88256}}},
+     16},
+    {"walls-in-fog",
+     build_walls<true>,
+     {.width = 320,
+      .height = 240,
+      .instances = 3,
+      .vertices = 12,
+      .shades = 4,
+      .textures = 12,
+      .polygons = 16,
+      .active = 16},
+     0,
+     Pool::none,
+     {{{textures_16, 64, 128424}, {textures_16, 57, 114992}, {span_textures, 64, 88256}}},
+     16},
     {"prisms-small",
      build_prisms,
      {.width = 128, .height = 128, .vertices = 66, .polygons = 56, .fans = 56, .active = 24},

@@ -25,6 +25,7 @@ int golden_bits(SelftestRenderer renderer) {
   switch (renderer) {
     case SelftestRenderer::flat_16:
     case SelftestRenderer::full_16:
+    case SelftestRenderer::textures_16:
       return 16;
     case SelftestRenderer::full_24:
       return 24;
