@@ -35,6 +35,7 @@ using TexturesOnly =
 template <class Traits>
 struct Layout {
   std::span<SelftestContent> content;
+  std::span<SelftestContent::Instance> instances;
   std::span<ScreenVertex> soup_vertices;
   std::span<std::uint16_t> soup_colours;
   std::span<std::byte> renderer;
@@ -56,6 +57,7 @@ struct Layout {
   }
   constexpr void take(Arena& arena, const SelftestScene& scene, std::uint16_t band) {
     content = arena.take<SelftestContent>(1);
+    instances = arena.take<SelftestContent::Instance>(scene.soup_triangles != 0 ? 0 : scene.capacity.instances);
     soup_vertices = arena.take<ScreenVertex>(std::size_t{3} * scene.soup_triangles);
     soup_colours = arena.take<std::uint16_t>(scene.soup_triangles);
     renderer = arena.take<std::byte>(sizeof(Renderer<Traits>));
@@ -87,6 +89,7 @@ template <class Traits, class See>
   place.take(arena, scene, band);
   const Capacity capacity = place.capacity(scene, band);
   SelftestContent& content = place.content.front();
+  content.instances = place.instances;
   content.soup = {place.soup_vertices, place.soup_colours};
   scene.build({models, capacity.width, capacity.height, Traits::Depth::bits}, content);
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "scenes/model_view.hpp"
 #include "scenes/prisms_mesh.hpp"
@@ -26,7 +27,7 @@ struct SelftestContent {
     Material material;
   };
   FrameSettings settings;
-  std::array<Instance, 4> instances;
+  std::span<Instance> instances;  ///< room for as many as the scene has
   std::uint32_t instance_count = 0;
   ScreenSoup soup;  ///< tables of the scene's size, which the scene fills
 
