@@ -160,7 +160,9 @@ TEST(Layers, APoolThatRunsFullIsToldOfAndTheSizeThatIsNamedIsEnough) {
       ASSERT_EQ(got.status.fault, Fault::pool_full) << entry.name;
       ASSERT_EQ(got.status.pool, Pool::layers);
       // Layers that do not interleave are laid in passes, whatever their number.
-      if (std::string_view(entry.name) == "span" && room > 0) EXPECT_EQ(difference(want, got), "") << room;
+      if (std::string_view(entry.name) == "span" && room > 0) {
+        EXPECT_EQ(difference(want, got), "") << room;
+      }
       starved.layers = got.status.wanted;
       const Drawing fed = draw(entry, scene, starved);
       ASSERT_TRUE(fed.status.ok()) << entry.name << ", " << got.status.wanted;
