@@ -204,7 +204,7 @@ inline void build_surfaces(const SelftestRequest& request, SelftestContent& cont
   content.add(textured_wall::mesh, wall,
               {{255, 220, 180},
                ShadingMode::flat,
-               {&textured_wall::texture, TextureFunction::modulate, TextureFilter::bilinear}});
+               {&textured_wall::grained, TextureFunction::modulate, TextureFilter::bilinear}});
   Transform ring = tilted(20), veil = tilted(-30), screen = tilted(60);
   ring.translation = {-0.6_q16, 0.3_q16, 0.5_q16};
   veil.translation = {0.4_q16, {}, {}};
