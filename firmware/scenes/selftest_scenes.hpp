@@ -229,8 +229,9 @@ void build_walls(const SelftestRequest& request, SelftestContent& content) {
   content.settings.background = {160, 176, 200};
   content.settings.camera.focal = Q16_16::from_ratio(std::int64_t{4} * request.height, 3);
   content.settings.cull = Cull::none;
-  Material lit = scene::lit_material, plain = scene::material;
-  lit.texturing.texture = plain.texturing.texture = &scene::grained;
+  // Not by copies of the benchmark's, whose texture small boards would then link.
+  const Material lit{{255, 255, 255}, ShadingMode::gouraud, {&scene::grained, TextureFunction::modulate}},
+      plain{{255, 255, 255}, ShadingMode::flat, {&scene::grained, TextureFunction::replace}};
   content.add(scene::lit_mesh, {}, lit);
   Transform across{rotation_y(Angle::from_degrees(-80))};
   across.translation = {-1.5_q16, {}, -6.0_q16};
