@@ -53,8 +53,9 @@ TEST(TexturesInFog, ChannelsAreTexelTimesLightAndFogInThirtySeconds) {
                                                  {drawn(ShadingMode::gouraud, TextureFunction::replace), false}};
   FrameSettings settings = scene::fogged_settings();
   const Rgb888 fog = settings.fog.colour;
-  for (const auto& [material, lit] : materials)
+  for (const auto& [material, is_lit] : materials)
     for (const FogCurve curve : {FogCurve::linear, FogCurve::exponential}) {
+      const bool lit = is_lit;  // clang 14 lets no closure take a binding
       settings.fog.curve = curve;
       const auto picture = fogged_wall<FoggedTextureTraits<>>(material, settings);
       int wrong = 0;
