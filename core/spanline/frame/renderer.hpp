@@ -129,9 +129,8 @@ class Renderer {
     const bool texels_have_alpha = mapped && has_alpha(material.texturing);
     const bool holes = texels_have_alpha && material.texturing.alpha == TexelAlpha::cut_out;
     const bool varies = varying_opacity(mesh) || (texels_have_alpha && !holes);
-    const std::uint8_t shader = shader_for<Traits>(
-        material, {!mesh.vertex_colours.empty(), textured, effects_wanted_, varies, local_light, relief, volume,
-                   dither_wanted_});
+    const std::uint8_t shader = shader_for<Traits>(material, {!mesh.vertex_colours.empty(), textured, effects_wanted_,
+                                                              varies, local_light, relief, volume, dither_wanted_});
     const std::uint32_t first_id = used_.ids;
     used_.ids += static_cast<std::uint32_t>(mesh.triangle_count());
     // Opacities of vertices go with the group's own light.
