@@ -264,7 +264,10 @@ class Renderer {
   static constexpr bool has_effects = general < Shaders::count || has_translucent ||
                                       Shaders::first([]<class Shader>() { return Fogged<Shader>; }) < Shaders::count;
   [[nodiscard]] static constexpr bool is_general(std::uint8_t shader) {
-    return has_effects && (shader == general || shader == translucent);
+    if constexpr (has_translucent) {
+      if (shader == translucent) return true;
+    }
+    return has_effects && shader == general;
   }
   /// Whether vertices have opacities of their own, and there is a shader for them: others say so, or draw ids.
   [[nodiscard]] static bool varying_opacity(const Mesh& mesh) {

@@ -157,11 +157,9 @@ template <class Shader, class Format>
   else if constexpr (Fogged<Shader>)
     return needs.textured && needs.effects && !needs.dither && !needs.local_light &&
            Shader::serves(material, needs.vertex_colours);
-  else if (needs.effects)
-    return false;
   else if constexpr (DrawsTextures<Shader>)
-    return needs.textured && !needs.local_light && Shader::serves(material, needs.vertex_colours);
-  else if (needs.textured)
+    return needs.textured && !needs.effects && !needs.local_light && Shader::serves(material, needs.vertex_colours);
+  else if (needs.effects || needs.textured)
     return false;
   else if (material.shading == ShadingMode::flat)
     return needs.local_light ? std::is_same_v<Shader, LocalFlatShader<Format>>
