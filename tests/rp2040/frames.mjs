@@ -2,7 +2,7 @@
 // else is asked of it. Ends when the console says TEXT, writes the trace of the display's wires, and prints a line of JSON:
 // what the board's time went into.
 //
-//   --feeds N            end when the watchdog has been fed N times instead
+//   --feeds N            end when the watchdog has been fed N times instead; the trace ends with the last whole command
 //   --stick BYTE         the serial interface stops for good at that byte, until the program has noticed
 //   --stick-fill NUMBER  the DMA's transfer from memory to memory with that number never ends
 //   --reset-at BYTE      somebody presses reset at that byte
@@ -67,6 +67,7 @@ const inTime = pico.run(() => {
   return (options.until !== undefined && pico.console.includes(options.until)) || pico.fed.length >= feeds;
 }, Number(options.seconds));
 
+if (pico.fed.length >= feeds) pico.trace.dropLastCommand();
 if (options.trace) writeFileSync(options.trace, pico.trace.data());
 for (const complaint of new Set(pico.complaints)) process.stderr.write(`emulator: ${complaint}\n`);
 const frames = pico.fed.slice(1).map((cycles, i) => cycles - pico.fed[i]);

@@ -56,6 +56,14 @@ export class Trace {
   get records() {
     return this.#used / RECORD;
   }
+  /** Drops the last command and what belongs to it: where a run stops, the display is in the middle of it. */
+  dropLastCommand() {
+    const isCommand = () => this.#bytes[this.#used + 8] === Kind.byte && (this.#bytes[this.#used + 9] & 1) === 0;
+    while (this.#used > 0) {
+      this.#used -= RECORD;
+      if (isCommand()) return;
+    }
+  }
   data() {
     return this.#bytes.subarray(0, this.#used);
   }
