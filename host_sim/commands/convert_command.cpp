@@ -89,8 +89,7 @@ class ConvertCommand final : public Command {
     OutputFile file(output_);
     Scene scene = import_model(model_);
     if (displacement) scene = displaced(scene, model_, *displacement);
-    if (wrap)
-      for (Scene::Part& part : scene.parts) part.wrap_s = part.wrap_t = *wrap;
+    if (wrap) set_wrap(scene, *wrap);
     complete_vertex_normals(scene);
     FlashParts parts;
     try {

@@ -14,9 +14,7 @@ Studio::Studio(const RenderArguments& arguments) : arguments_(arguments), scene_
     for (Scene::Part& part : scene_.parts) part.image = Scene::Part::no_image;
   if (arguments.displacement) scene_ = displaced(scene_, arguments.model, *arguments.displacement);
   shading_ = arguments.shading != nullptr ? arguments.shading : &default_shading(scene_);
-  if (arguments.environment)
-    read_environment();
-  else if (shading_->textured)
+  if (arguments.environment || shading_->textured)
     read_textures();
   else if (arguments.for_textures)
     throw UsageError("--filter, --mipmap, --resize and --wrap want a texture: one of the model's, or --texture FILE");
@@ -35,18 +33,19 @@ Studio::Studio(const RenderArguments& arguments) : arguments_(arguments), scene_
   if (arguments.panel != nullptr) panel_.emplace(*arguments.panel);
 }
 
-void Studio::read_environment() {
-  use_environment(scene_, *arguments_.environment);
+void Studio::read_textures() {
+  if (arguments_.environment)
+    use_environment(scene_, *arguments_.environment);
+  else
+    name_textures();
   textures_ = PartTextures(scene_, {.mip_map = arguments_.mip_map, .resize = arguments_.resize});
 }
 
-void Studio::read_textures() {
+void Studio::name_textures() {
   if (scene_.texture_points.empty()) throw file_failure(arguments_.model, "has no texture coordinates");
   if (arguments_.texture) use_texture(scene_, *arguments_.texture);
   if (!is_textured(scene_)) throw UsageError("--shade texture: the model has no texture of its own (--texture FILE)");
-  if (arguments_.wrap)
-    for (Scene::Part& part : scene_.parts) part.wrap_s = part.wrap_t = *arguments_.wrap;
-  textures_ = PartTextures(scene_, {.mip_map = arguments_.mip_map, .resize = arguments_.resize});
+  if (arguments_.wrap) set_wrap(scene_, *arguments_.wrap);
 }
 
 Frame Studio::draw(double turns) {

@@ -25,7 +25,8 @@ class Studio {
   [[nodiscard]] Picture picture(const Frame& frame);
 
  private:
-  void read_environment();
+  /// Gives the scene's parts the textures that the arguments name, and checks that there are any.
+  void name_textures();
   void read_textures();
   [[nodiscard]] FrameRequest request(const View& view, const SceneLight& light) const;
 

@@ -70,6 +70,10 @@ SceneTextures load_textures(const Scene& scene, const TextureOptions& options, b
   return textures;
 }
 
+void set_wrap(Scene& scene, Wrap wrap) {
+  for (Scene::Part& part : scene.parts) part.wrap_s = part.wrap_t = wrap;
+}
+
 void use_texture(Scene& scene, const std::string& path) {
   if (scene.parts.empty()) scene.parts.emplace_back();
   if (!is_textured(scene)) scene.vertex_colours.clear();

@@ -27,6 +27,9 @@ struct SceneTextures {
 [[nodiscard]] SceneTextures load_textures(const Scene& scene, const TextureOptions& options,
                                           bool format_wanted = false);
 
+/// Wraps the textures of all parts alike, whatever the model says.
+void set_wrap(Scene& scene, Wrap wrap);
+
 /// Gives an image file to every part without a texture of its own; colours of the model give way to it there.
 void use_texture(Scene& scene, const std::string& path);
 

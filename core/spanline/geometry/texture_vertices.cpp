@@ -101,8 +101,8 @@ void make_volume_vertices(const ViewTransform& transform, const Nearness& nearne
                           const Volume& volume, TextureVertex* out, std::int32_t* third) {
   // Steps · scale have 16 fraction bits, coordinates 20; what lies beyond their range wraps.
   const int shift = 16 - TextureUnits::fraction_bits - mesh.step_exponent - volume.exponent;
-  const auto coordinate = [&](std::int64_t steps, Q16_16 origin) {
-    const std::int64_t product = steps * volume.scale.raw();
+  const auto coordinate = [&](std::int32_t steps, std::int32_t offset, Q16_16 origin) {
+    const std::int64_t product = (static_cast<std::int64_t>(steps) + offset) * volume.scale.raw();
     const std::uint64_t scaled = shift > 62  ? 0
                                  : shift > 0 ? static_cast<std::uint64_t>(shift_rounded(product, shift))
                                              : static_cast<std::uint64_t>(product) << std::min(-shift, 63);
@@ -110,13 +110,10 @@ void make_volume_vertices(const ViewTransform& transform, const Nearness& nearne
   };
   const Vec3<std::int32_t>& offset = mesh.offset;
   for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
-    const bool wide = mesh.vertices.empty();
-    const std::int64_t x = wide ? mesh.wide_vertices[i].x : mesh.vertices[i].x,
-                       y = wide ? mesh.wide_vertices[i].y : mesh.vertices[i].y,
-                       z = wide ? mesh.wide_vertices[i].z : mesh.vertices[i].z;
-    out[i] = {nearness(view_point(transform, mesh, i).z), coordinate(x + offset.x, volume.origin.x),
-              coordinate(y + offset.y, volume.origin.y)};
-    third[i] = coordinate(z + offset.z, volume.origin.z);
+    const Vertex32 v = mesh.vertex(i);
+    out[i] = {nearness(view_point(transform, mesh, i).z), coordinate(v.x, offset.x, volume.origin.x),
+              coordinate(v.y, offset.y, volume.origin.y)};
+    third[i] = coordinate(v.z, offset.z, volume.origin.z);
   }
 }
 

@@ -84,6 +84,9 @@ inline constexpr std::array<std::uint8_t, 256> leading_zeros_of_byte = [] {
 [[nodiscard]] constexpr std::uint32_t word(std::int32_t value) { return static_cast<std::uint32_t>(value); }
 [[nodiscard]] constexpr std::int32_t signed_word(std::uint32_t value) { return static_cast<std::int32_t>(value); }
 
+/// value / 255, rounded to nearest, for values in [0, 255²].
+[[nodiscard]] constexpr std::int32_t in_255ths(std::int32_t value) { return ((value + 127) * 0x8081) >> 23; }
+
 /// (a·x + b·y) / 2^bits, rounded down, modulo 2^32; |x|, |y| ≤ 2^17, bits in [0, 10]. ARMv6-M has no long product, and
 /// takes whole units and the rest apart.
 [[nodiscard]] constexpr std::uint32_t sum_of_products(std::int32_t a, std::int32_t x, std::int32_t b, std::int32_t y,

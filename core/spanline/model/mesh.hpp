@@ -72,6 +72,12 @@ struct Mesh {
   [[nodiscard]] constexpr std::size_t vertex_count() const {
     return vertices.empty() ? wide_vertices.size() : vertices.size();
   }
+  /// Vertex `number` of whichever table there is.
+  [[nodiscard]] constexpr Vertex32 vertex(std::size_t number) const {
+    if (vertices.empty()) return wide_vertices[number];
+    const Vertex16 v = vertices[number];
+    return {v.x, v.y, v.z};
+  }
   [[nodiscard]] constexpr std::size_t polygon_count() const {
     return corners.empty() ? indices.size() / 3 : corners.size();
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -115,6 +116,17 @@ class PolygonTable {
     return {{v + index[0], v + index[2], v + index[1]}, source, source};
   }
 };
+
+/// The rows of the picture [first, end) whose centres lie between a polygon's highest and lowest corner; they may leave
+/// the viewport.
+struct RowRange {
+  std::int32_t first, end;
+};
+[[nodiscard]] inline RowRange row_range(const PolygonCorners& polygon) {
+  const auto [a, b, c] = polygon.corner;
+  const auto [low, high] = std::minmax({a->y, b->y, c->y});
+  return {row_at(low) - row_bias, row_at(high) - row_bias};
+}
 
 /// Walks a band's bucket in order of submission.
 class BucketCursor {

@@ -37,9 +37,7 @@ struct FlatShader {
     const Mesh& mesh = *group.mesh;
     const LitColour colour =
         mesh.polygon_colours.empty() ? group.colour : LitColour::from(mesh.polygon_colours[polygon.polygon]);
-    const Intensity intensity =
-        mesh.polygon_normals.empty() ? Intensity{65535} : group.intensity(mesh.polygon_normals[polygon.polygon]);
-    return Format::lit(colour, intensity);
+    return Format::lit(colour, group.polygon_intensity(polygon.polygon));
   }
 
   static void make(Surface& surface, const ShadingGroup& group, const PolygonCorners& polygon) {

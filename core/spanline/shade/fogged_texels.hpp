@@ -150,8 +150,7 @@ struct FoggedTexelLight {
       const auto value = [&](unsigned i) { return signed_word(group.vertex_shades[gradients.index(corners[i])] << 4); };
       fit({value(0), value(1), value(2)}, gradients, light);
     } else {
-      const Mesh& mesh = *group.mesh;
-      constant(mesh.polygon_normals.empty() ? 65535u : group.intensity(mesh.polygon_normals[polygon.polygon]));
+      constant(group.polygon_intensity(polygon.polygon));
     }
   }
 };

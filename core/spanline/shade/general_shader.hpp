@@ -134,11 +134,15 @@ struct GeneralShader {
     const Rgb888 colour =
         mesh.polygon_colours.empty() || smooth ? group.textured->colour : mesh.polygon_colours[polygon.polygon];
     if (!smooth) {
-      const Intensity intensity =
-          mesh.polygon_normals.empty() ? Intensity{65535} : group.intensity(mesh.polygon_normals[polygon.polygon]);
       const LocalLighting* local = group.textured->local;
-      const SurfaceLight light = local != nullptr ? local->on_polygon(polygon.polygon) : SurfaceLight{intensity, 0};
-      const Rgb888 specular = local != nullptr ? local->specular() : Rgb888{0, 0, 0};
+      SurfaceLight light{0, 0};
+      Rgb888 specular{0, 0, 0};
+      if (local != nullptr) {
+        light = local->on_polygon(polygon.polygon);
+        specular = local->specular();
+      } else {
+        light.diffuse = group.polygon_intensity(polygon.polygon);
+      }
       const auto all_over = [&](std::uint32_t channel, std::uint32_t shine) {
         const std::int32_t sum =
             lit(channel, light.diffuse) + static_cast<std::int32_t>(shine * 257 * light.highlight >> 16);

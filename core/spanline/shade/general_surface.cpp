@@ -19,8 +19,6 @@ struct Colour {
   }
 };
 
-/// value / 255, rounded to nearest, for values in [0, 255²].
-std::int32_t in_255ths(std::int32_t value) { return ((value + 127) * 0x8081) >> 23; }
 std::int32_t mixed(std::int32_t from, std::int32_t to, std::int32_t share) {
   return in_255ths(from * (255 - share) + to * share);
 }

@@ -18,18 +18,6 @@ namespace spanline {
   return stipple::level_of(material.opacity) < stipple::levels;
 }
 
-/// The layering of group `number` with a see-through material; `seed` in [0, 127] is for stochastic ones.
-[[nodiscard]] constexpr Layering layering_of(const Material& material, std::uint32_t number, std::uint32_t seed) {
-  const bool mixes = material.transparency == Transparency::blend || material.transparency == Transparency::add;
-  const std::uint32_t level = mixes ? alpha_32(material.opacity) : stipple::level_of(material.opacity);
-  const std::uint32_t variant = material.transparency == Transparency::stochastic ? seed : number;
-  Layering layering;
-  layering.transparency = static_cast<std::uint16_t>(static_cast<unsigned>(material.transparency) & 3u);
-  layering.level = static_cast<std::uint16_t>(level & 127u);
-  layering.variant = static_cast<std::uint16_t>(variant & 127u);
-  return layering;
-}
-
 [[nodiscard]] constexpr bool is(Layering layering, Transparency transparency) {
   return layering.transparency == static_cast<unsigned>(transparency);
 }
@@ -37,9 +25,20 @@ namespace spanline {
 [[nodiscard]] constexpr bool mixes(Layering layering) {
   return is(layering, Transparency::blend) || is(layering, Transparency::add);
 }
+/// The layering of group `number` with a see-through material; `seed` in [0, 127] is for stochastic ones.
+[[nodiscard]] constexpr Layering layering_of(const Material& material, std::uint32_t number, std::uint32_t seed) {
+  Layering layering;
+  layering.transparency = static_cast<std::uint16_t>(static_cast<unsigned>(material.transparency) & 3u);
+  const std::uint32_t level = mixes(layering) ? alpha_32(material.opacity) : stipple::level_of(material.opacity);
+  const std::uint32_t variant = is(layering, Transparency::stochastic) ? seed : number;
+  layering.level = static_cast<std::uint16_t>(level & 127u);
+  layering.variant = static_cast<std::uint16_t>(variant & 127u);
+  return layering;
+}
+
 /// The level of a group where its surface has `opacity`/255 of the material's: rounded to nearest.
 [[nodiscard]] constexpr std::uint32_t level_at(Layering layering, std::uint32_t opacity) {
-  return ((layering.level * opacity + 127) * 0x8081u) >> 23;  // / 255, for products up to 255²
+  return word(in_255ths(signed_word(layering.level * opacity)));
 }
 
 /// A pixel of a layer whose colours mix: a straight colour with its coverage.

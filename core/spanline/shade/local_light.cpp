@@ -111,11 +111,7 @@ LocalLighting::Point LocalLighting::vertex_point(std::size_t vertex) const {
     return shift_rounded(steps + offset, -exponent_);
   };
   const Vec3<std::int32_t>& offset = mesh_->offset;
-  if (mesh_->vertices.empty()) {
-    const Vertex32& v = mesh_->wide_vertices[vertex];
-    return {coordinate(v.x, offset.x), coordinate(v.y, offset.y), coordinate(v.z, offset.z)};
-  }
-  const Vertex16& v = mesh_->vertices[vertex];
+  const Vertex32 v = mesh_->vertex(vertex);
   return {coordinate(v.x, offset.x), coordinate(v.y, offset.y), coordinate(v.z, offset.z)};
 }
 

@@ -14,6 +14,9 @@ namespace spanline {
 ///     std::uint16_t pixel(u, v, light) const       // RGB565
 ///     static bool serves(const Material&, bool vertex_colours)
 ///     template <class Gradients> void make_kind(const ShadingGroup&, const PolygonCorners&, const Gradients&)
+///     static std::uint32_t flat_light(const ShadingGroup&, Link polygon)  // 16 bits, as vertex shades are
+///
+/// The light is made here: of the vertices' shades, or the same all over a polygon.
 template <class Format, class Kind>
 struct PixelwiseShader {
   using Pixel = typename Format::Pixel;
@@ -67,6 +70,12 @@ struct PixelwiseShader {
   static void make(Surface& surface, const ShadingGroup& group, const PolygonCorners& polygon,
                    const Gradients& gradients) {
     surface.make_kind(group, polygon, gradients);
+    if (group.vertex_shades == nullptr) {
+      surface.light = {Kind::flat_light(group, polygon.polygon) << 16, 0, 0};
+      return;
+    }
+    gradients.fit([&](const ScreenVertex* v) { return signed_word(group.vertex_shades[gradients.index(v)]); },
+                  surface.light);
   }
 };
 

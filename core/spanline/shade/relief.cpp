@@ -45,17 +45,16 @@ std::int32_t to_neighbour(std::int32_t part, std::int32_t other) {
 
 }  // namespace
 
-std::int32_t relief_light::on(const ShadingGroup& group, PackedNormal normal) {
-  std::int32_t sum = 0;
-  for (unsigned i = 0; i < group.light_count; ++i) sum += group.lights[i].on(normal);
-  return sum;
+std::uint32_t relief_light::shade(const ShadingGroup& group, std::span<const PackedNormal> normals,
+                                  std::size_t number) {
+  if (normals.empty()) return word(zero);
+  std::int32_t sum = 0;  // negative where the normal looks away
+  for (unsigned i = 0; i < group.light_count; ++i) sum += group.lights[i].on(normals[number]);
+  return word(coded(sum));
 }
 
 void shade_vertices_for_relief(const Mesh& mesh, const ShadingGroup& group, std::uint32_t* shades) {
-  for (std::size_t i = 0; i < mesh.vertex_count(); ++i)
-    shades[i] =
-        word(mesh.vertex_normals.empty() ? relief_light::zero
-                                         : relief_light::coded(relief_light::on(group, mesh.vertex_normals[i])));
+  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) shades[i] = relief_light::shade(group, mesh.vertex_normals, i);
 }
 
 void ReliefSurface::set_polygon(const ShadingGroup& shading, std::uint32_t polygon) {
@@ -65,11 +64,7 @@ void ReliefSurface::set_polygon(const ShadingGroup& shading, std::uint32_t polyg
   colour = Rgb565::from(own);
   const std::uint16_t* corner = mesh.indices.data() + mesh.first_corner(polygon);
   const auto position = [&](unsigned i) {
-    if (mesh.vertices.empty()) {
-      const Vertex32& v = mesh.wide_vertices[corner[i]];
-      return Vec3<std::int64_t>{v.x, v.y, v.z};
-    }
-    const Vertex16& v = mesh.vertices[corner[i]];
+    const Vertex32 v = mesh.vertex(corner[i]);
     return Vec3<std::int64_t>{v.x, v.y, v.z};
   };
   const Vec3<std::int64_t> a = position(0), e = position(1) - a, f = position(2) - a;
@@ -92,11 +87,17 @@ void ReliefSurface::set_polygon(const ShadingGroup& shading, std::uint32_t polyg
   along_s = std::clamp<std::int32_t>(along(lights, tangent(ft, -et)), -(2 << 14), 2 << 14);
   along_t = std::clamp<std::int32_t>(along(lights, tangent(-fs, es)), -(2 << 14), 2 << 14);
   turned = 0;
-  if (group->pixelwise->relief.kind == ReliefKind::bump) return;
+  const Relief& relief = group->pixelwise->relief;
+  if (relief.kind == ReliefKind::bump) {
+    // Slopes in 256ths: half a difference of 255ths is depth/510.
+    factor = static_cast<std::int32_t>(relief.depth.raw() / 510);  // 2^16 a texel of depth
+    return;
+  }
+  factor = cosine(relief.turn).raw() >> 16;
   const std::int32_t s = along_s, t = along_t;
   const auto length =
       static_cast<std::int64_t>(square_root(static_cast<std::uint64_t>(std::int64_t{s} * s + std::int64_t{t} * t)));
-  turned = static_cast<std::int32_t>((length * sine(group->pixelwise->relief.turn).raw()) >> 30);
+  turned = static_cast<std::int32_t>((length * sine(relief.turn).raw()) >> 30);
   along_s = to_neighbour(s, t);
   along_t = to_neighbour(t, s);
 }
@@ -111,9 +112,7 @@ std::uint32_t ReliefSurface::light_at(std::uint32_t u, std::uint32_t v, std::int
   };
   std::int32_t lit = facing;
   if (relief.kind == ReliefKind::bump) {
-    // Slopes in 256ths: half a difference of 255ths is depth/510.
-    const std::int32_t scale = static_cast<std::int32_t>(relief.depth.raw() / 510);  // 2^16 a texel of depth
-    const auto slope = [scale](std::int32_t difference) {
+    const auto slope = [scale = factor](std::int32_t difference) {
       return std::clamp<std::int32_t>(difference * scale >> 8, -512, 512);
     };
     const std::int32_t p = slope(height(x + 1, y) - height(x - 1, y)), q = slope(height(x, y + 1) - height(x, y - 1));
@@ -122,10 +121,7 @@ std::uint32_t ReliefSurface::light_at(std::uint32_t u, std::uint32_t v, std::int
   } else {
     constexpr std::int32_t step = 8;  // of 255
     const std::int32_t fall = height(x, y) - height(x + word(along_s), y + word(along_t));
-    if (fall > step || fall < -step) {
-      const std::int32_t cosine_14 = cosine(relief.turn).raw() >> 16;
-      lit = (lit * cosine_14 >> 14) + (fall > 0 ? turned : -turned);
-    }
+    if (fall > step || fall < -step) lit = (lit * factor >> 14) + (fall > 0 ? turned : -turned);
   }
   const std::int32_t sum = ambient + (lit > 0 ? lit << 2 : 0);
   return word(sum > 65535 ? 65535 : sum);

@@ -1,7 +1,9 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "spanline/shade/pixel_format.hpp"
 #include "spanline/shade/pixelwise_shader.hpp"
@@ -19,8 +21,8 @@ inline constexpr std::int32_t zero = 1 << 15;
 [[nodiscard]] constexpr std::int32_t decoded(std::uint32_t value) {
   return static_cast<std::int32_t>(value >> 16) - zero;
 }
-/// The light on a normal, negative where it looks away.
-[[nodiscard]] std::int32_t on(const ShadingGroup& group, PackedNormal normal);
+/// The coded light on a normal of a table; none where there are no normals.
+[[nodiscard]] std::uint32_t shade(const ShadingGroup& group, std::span<const PackedNormal> normals, std::size_t number);
 }  // namespace relief_light
 
 /// A shade for every vertex of a mesh under relief, for smooth shading.
@@ -33,6 +35,7 @@ struct ReliefSurface {
   const TexturedGroup* group;
   std::int32_t along_s, along_t;  ///< bump: T·L and B·L, 2^14. Emboss: the way to the light, −1 … 1 texels each
   std::int32_t turned;            ///< emboss: what the turn adds, 2^14
+  std::int32_t factor;            ///< bump: a difference of heights as a slope, 2^16. Emboss: the turn's cosine, 2^14
   std::uint16_t ambient;
   std::uint16_t colour;  ///< RGB565, where there is no texture
 
@@ -53,18 +56,9 @@ struct ReliefSurface {
                                            {map.log2_width, map.log2_height, 16, 16}),
                       plane);
     set_polygon(shading, polygon.polygon);
-    if (shading.vertex_shades != nullptr) {
-      gradients.fit(
-          [&](const ScreenVertex* v) { return static_cast<std::int32_t>(shading.vertex_shades[gradients.index(v)]); },
-          light);
-      return;
-    }
-    const Mesh& mesh = *shading.mesh;
-    const std::int32_t facing =
-        mesh.polygon_normals.empty()
-            ? relief_light::zero
-            : relief_light::coded(relief_light::on(shading, mesh.polygon_normals[polygon.polygon]));
-    light = {word(facing) << 16, 0, 0};
+  }
+  [[nodiscard]] static std::uint32_t flat_light(const ShadingGroup& shading, Link polygon) {
+    return relief_light::shade(shading, shading.mesh->polygon_normals, polygon);
   }
 
  private:

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 
 #include "spanline/model/light.hpp"
@@ -89,6 +90,10 @@ struct ShadingGroup {
       if (light > 0) sum += light;
     }
     return sum > 65535 ? 65535 : static_cast<Intensity>(sum);
+  }
+  /// The light on a polygon of the mesh; full where it has no normals.
+  [[nodiscard]] Intensity polygon_intensity(std::size_t polygon) const {
+    return mesh->polygon_normals.empty() ? Intensity{65535} : intensity(mesh->polygon_normals[polygon]);
   }
 };
 

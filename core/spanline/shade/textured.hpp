@@ -65,10 +65,7 @@ struct FlatTexelLight {
   }
   template <class Gradients>
   void make(const ShadingGroup& group, const PolygonCorners& polygon, const Gradients&) {
-    const Mesh& mesh = *group.mesh;
-    const Intensity intensity =
-        mesh.polygon_normals.empty() ? Intensity{65535} : group.intensity(mesh.polygon_normals[polygon.polygon]);
-    level = texel_light::value(intensity) >> 10;
+    level = texel_light::value(group.polygon_intensity(polygon.polygon)) >> 10;
   }
 };
 

@@ -43,7 +43,7 @@ struct TranslucentShader {
 
    private:
     [[nodiscard]] std::uint32_t with(std::uint32_t of_texels) const {
-      return (((of_vertices >> 24) * of_texels + 127) * 0x8081u) >> 23;
+      return word(in_255ths(signed_word((of_vertices >> 24) * of_texels)));
     }
   };
 

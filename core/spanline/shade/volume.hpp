@@ -57,7 +57,7 @@ struct VolumeSurface : VolumeGeometry {
   }
 
   template <class Gradients>
-  void make_kind(const ShadingGroup& group, const PolygonCorners& polygon, const Gradients& gradients) {
+  void make_kind(const ShadingGroup& group, const PolygonCorners&, const Gradients& gradients) {
     const TexturedGroup& textured = *group.textured;
     volume = &textured.pixelwise->volume;
     const auto corners = gradients.corners();
@@ -71,16 +71,9 @@ struct VolumeSurface : VolumeGeometry {
     }
     const unsigned log2_size = volume->texture != nullptr ? volume->texture->log2_size : VolumeTexture::max_log2_size;
     fit_texture_plane(gradients, set(points, nearness, log2_size), plane);
-    if (group.vertex_shades != nullptr) {
-      gradients.fit(
-          [&](const ScreenVertex* v) { return static_cast<std::int32_t>(group.vertex_shades[gradients.index(v)]); },
-          light);
-      return;
-    }
-    const Mesh& mesh = *group.mesh;
-    const Intensity intensity =
-        mesh.polygon_normals.empty() ? Intensity{65535} : group.intensity(mesh.polygon_normals[polygon.polygon]);
-    light = {intensity << 16, 0, 0};
+  }
+  [[nodiscard]] static std::uint32_t flat_light(const ShadingGroup& group, Link polygon) {
+    return group.polygon_intensity(polygon);
   }
 };
 

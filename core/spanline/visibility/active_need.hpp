@@ -19,10 +19,8 @@ namespace spanline {
     Link group = 0;
     for (Link polygon = 0; polygon < table.polygon_count; ++polygon) {
       group = table.group_of(polygon, group);
-      const PolygonCorners p = table.corners(table.groups[group], polygon);
-      const auto [low, high] = std::minmax({p.corner[0]->y, p.corner[1]->y, p.corner[2]->y});
-      const std::int32_t first = std::max<std::int32_t>(row_at(low) - row_bias, 0);
-      const std::int32_t end = std::min(row_at(high) - row_bias, viewport.height);
+      const RowRange rows = row_range(table.corners(table.groups[group], polygon));
+      const std::int32_t first = std::max<std::int32_t>(rows.first, 0), end = std::min(rows.end, viewport.height);
       const bool comes_in = first < top && end > top;
       const bool goes_on = end > bottom;
       if (first >= top && first < bottom && goes_on) greatest = std::max(greatest, ++live);

@@ -204,8 +204,7 @@ class DepthBuffer {
   [[gnu::always_inline]] inline void begin(Job<ShadingGroup>& job, Link polygon, Link*& link, Covered& covered) {
     const PolygonCorners corners = job.table.corners(*job.group, polygon);
     if constexpr (!Drawn) {
-      const auto [p, q, r] = corners.corner;
-      if (row_at(std::max({p->y, q->y, r->y})) <= job.target.end_row) return;
+      if (row_range(corners).end + row_bias <= job.target.end_row) return;
     }
     Shaders::with(
         job.shader(), [&]<class Shader>() __attribute__((always_inline)) {

@@ -40,7 +40,7 @@ void ActiveEdgeTable::stand_back(const PolygonSource& source, std::int32_t row) 
   current_[1] = awake_key::end;
 }
 
-template <bool Nearest>
+template <ActiveEdgeTable::Evicted Chosen>
 AwakePolygon* ActiveEdgeTable::evict(std::uint32_t nearest, Link number) {
   // A bound's low bits are the outcode of the nearest corner, which says nothing of how far that is.
   const auto without_outcode = [](std::uint32_t bound) { return bound & ~std::uint32_t{0xff}; };
@@ -50,7 +50,7 @@ AwakePolygon* ActiveEdgeTable::evict(std::uint32_t nearest, Link number) {
     const AwakePolygon& polygon = at(*key);
     const std::uint32_t bound = without_outcode(polygon.nearest);
     const bool in_front = bound < nearest || (bound == nearest && polygon.number < number);
-    if (in_front != Nearest) return;
+    if (in_front != (Chosen == Evicted::nearest)) return;
     nearest = bound;
     number = polygon.number;
     chosen = key;
@@ -69,8 +69,8 @@ AwakePolygon* ActiveEdgeTable::evict(std::uint32_t nearest, Link number) {
   }
   return &polygon;
 }
-template AwakePolygon* ActiveEdgeTable::evict<false>(std::uint32_t nearest, Link number);
-template AwakePolygon* ActiveEdgeTable::evict<true>(std::uint32_t nearest, Link number);
+template AwakePolygon* ActiveEdgeTable::evict<ActiveEdgeTable::Evicted::farthest>(std::uint32_t nearest, Link number);
+template AwakePolygon* ActiveEdgeTable::evict<ActiveEdgeTable::Evicted::nearest>(std::uint32_t nearest, Link number);
 
 std::uint32_t ActiveEdgeTable::step(const PolygonSource& source, std::int32_t row) {
   std::uint32_t repairs = 0;

@@ -66,11 +66,12 @@ class ActiveEdgeTable {
 
   /// For a full table: frees the records of polygons that ended above `row`.
   void reap(std::int32_t row);
+  enum class Evicted : std::uint8_t { farthest, nearest };
   /// For a full table: takes out the farthest polygon, on or entering the row, of equal ones the latest, if it comes
-  /// behind a polygon with these bounds and number. Its record is free for use; null if there is none.
-  [[nodiscard]] AwakePolygon* evict(std::uint32_t nearest, Link number) { return evict<false>(nearest, number); }
-  /// The same of the nearest polygon, of equal ones the earliest, if it comes before that one.
-  [[nodiscard]] AwakePolygon* evict_nearest(std::uint32_t nearest, Link number) { return evict<true>(nearest, number); }
+  /// behind a polygon with these bounds and number; or the nearest, of equal ones the earliest, if it comes before that
+  /// one. Its record is free for use; null if there is none.
+  template <Evicted Chosen>
+  [[nodiscard]] AwakePolygon* evict(std::uint32_t nearest, Link number);
 
   /// Empties a table that stands on the row above `row`: polygons that go on wait in the bucket of `row`.
   void stand_back(const PolygonSource& source, std::int32_t row);
@@ -83,9 +84,6 @@ class ActiveEdgeTable {
   [[nodiscard]] std::uint32_t peak() const { return peak_; }
 
  private:
-  template <bool Nearest>
-  AwakePolygon* evict(std::uint32_t nearest, Link number);
-
   void release(AwakePolygon& polygon) {
     polygon.next = free_;
     free_ = &polygon;

@@ -18,9 +18,8 @@ namespace spanline {
     for (Link polygon = 0; polygon < table.polygon_count; ++polygon) {
       group = table.group_of(polygon, group);
       if (table.groups[group].see_through != see_through) continue;
-      const PolygonCorners p = table.corners(table.groups[group], polygon);
-      const auto [low, high] = std::minmax({p.corner[0]->y, p.corner[1]->y, p.corner[2]->y});
-      if (row_at(low) - row_bias <= row && row < row_at(high) - row_bias) ++here;
+      const RowRange rows = row_range(table.corners(table.groups[group], polygon));
+      if (rows.first <= row && row < rows.end) ++here;
     }
     most = std::max(most, here);
   }

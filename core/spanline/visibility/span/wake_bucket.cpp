@@ -3,47 +3,62 @@
 namespace spanline {
 namespace {
 
-/// The farthest polygon stands back for a row; those that ended make room first. False if one had to.
-[[gnu::noinline]] bool wake_in_full_table(ActiveEdgeTable& edges, const PolygonSource& source, Link number,
-                                          std::int32_t row, BoundMargin margin) {
+/// A polygon for which a full table had no room.
+struct LeftOut {
+  Link number = no_link;
+  std::int32_t end_row = 0;
+
+  /// Tries again on the next row, if it is there.
+  void defer(const PolygonSource& source, std::int32_t row) const {
+    if (row + 1 < end_row) source.table.defer(row + 1, number);
+  }
+};
+
+/// Wakes a polygon in a full table; those that ended make room first, then the farthest, or the nearest, gives way.
+template <ActiveEdgeTable::Evicted Chosen>
+LeftOut wake_in_full_table(ActiveEdgeTable& edges, const PolygonSource& source, Link number, std::int32_t row,
+                           BoundMargin margin) {
   edges.reap(row);
   AwakePolygon candidate;
   const std::int32_t column = wake(candidate, source, number, row, margin);
   AwakePolygon* record = edges.take();
-  const bool room = record != nullptr;
-  if (!room) {
-    record = edges.evict(candidate.nearest, number);
-    const AwakePolygon& left_out = record == nullptr ? candidate : *record;
-    if (row + 1 < left_out.end_row) source.table.defer(row + 1, left_out.number);
+  LeftOut left_out;
+  if (record == nullptr) {
+    record = edges.evict<Chosen>(candidate.nearest, number);
+    const AwakePolygon& waits = record == nullptr ? candidate : *record;
+    left_out = {waits.number, waits.end_row};
   }
   if (record != nullptr) {
     *record = candidate;
     edges.enter(*record, column);
   }
-  return room;
+  return left_out;
 }
 
-/// Wakes a layer; where the table is full the nearest joins those that wait.
+/// Wakes an opaque polygon in a full table. False if one had to stand back for a row: the farthest.
+[[gnu::noinline]] bool wake_before_the_farthest(ActiveEdgeTable& edges, const PolygonSource& source, Link number,
+                                                std::int32_t row, BoundMargin margin) {
+  const LeftOut left_out = wake_in_full_table<ActiveEdgeTable::Evicted::farthest>(edges, source, number, row, margin);
+  if (left_out.number == no_link) return true;
+  left_out.defer(source, row);
+  return false;
+}
+
+/// Wakes a layer in a full table, where the nearest joins those that wait.
+[[gnu::noinline]] void wake_behind_the_nearest(ActiveEdgeTable& layers, const PolygonSource& source, Link number,
+                                               std::int32_t row, BoundMargin margin, Link& waiting) {
+  const LeftOut left_out = wake_in_full_table<ActiveEdgeTable::Evicted::nearest>(layers, source, number, row, margin);
+  if (left_out.number == no_link) return;
+  source.table.references[left_out.number].next = waiting;
+  waiting = left_out.number;
+}
+
 void wake_layer(ActiveEdgeTable& layers, const PolygonSource& source, Link number, std::int32_t row, BoundMargin margin,
                 Link& waiting) {
-  if (AwakePolygon* record = layers.take(); record != nullptr) {
+  if (AwakePolygon* record = layers.take(); record != nullptr)
     layers.enter(*record, wake(*record, source, number, row, margin));
-    return;
-  }
-  layers.reap(row);
-  AwakePolygon candidate;
-  const std::int32_t column = wake(candidate, source, number, row, margin);
-  AwakePolygon* record = layers.take();
-  if (record == nullptr) {
-    record = layers.evict_nearest(candidate.nearest, number);
-    const Link waits = record == nullptr ? number : record->number;
-    source.table.references[waits].next = waiting;
-    waiting = waits;
-  }
-  if (record != nullptr) {
-    *record = candidate;
-    layers.enter(*record, column);
-  }
+  else
+    wake_behind_the_nearest(layers, source, number, row, margin, waiting);
 }
 
 }  // namespace
@@ -58,7 +73,7 @@ bool wake_bucket(ActiveEdgeTable& edges, const PolygonSource& source, std::int32
     const Link following = table.references[number].next;  // waking may defer the polygon
     if (AwakePolygon* record = edges.take(); __builtin_expect(record != nullptr, true))
       edges.enter(*record, wake(*record, source, number, row, margin));
-    else if (!wake_in_full_table(edges, source, number, row, margin))
+    else if (!wake_before_the_farthest(edges, source, number, row, margin))
       room = false;
     if (number == last) return room;
     number = following;
@@ -78,7 +93,7 @@ WokenWithLayers wake_bucket(ActiveEdgeTable& edges, ActiveEdgeTable& layers, con
       wake_layer(layers, source, number, row, margin, woken.waiting);
     else if (AwakePolygon* record = edges.take(); record != nullptr)
       edges.enter(*record, wake(*record, source, number, row, margin));
-    else if (!wake_in_full_table(edges, source, number, row, margin))
+    else if (!wake_before_the_farthest(edges, source, number, row, margin))
       woken.all_opaque = false;
     if (number == last) return woken;
     number = following;
@@ -100,9 +115,9 @@ void defer_waiting(const PolygonSource& source, Link waiting, std::int32_t row) 
   while (waiting != no_link) {
     const Link number = waiting;
     waiting = source.table.references[number].next;
-    const auto [a, b, c] = source.table.corners(source.table.groups[source.table.find_group(number)], number).corner;
-    const std::int32_t end = row_at(a->y > b->y ? (a->y > c->y ? a->y : c->y) : (b->y > c->y ? b->y : c->y)) - row_bias;
-    if (row + 1 < (end < source.viewport.height ? end : source.viewport.height)) source.table.defer(row + 1, number);
+    const PolygonGroup& group = source.table.groups[source.table.find_group(number)];
+    const std::int32_t end = row_range(source.table.corners(group, number)).end;
+    LeftOut{number, end < source.viewport.height ? end : source.viewport.height}.defer(source, row);
   }
 }
 

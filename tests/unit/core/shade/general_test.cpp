@@ -189,9 +189,7 @@ TEST(GeneralShader, BandsAndSpansDrawTheSameBytes) {
     RandomInstance::Wish wish{.closest = 0.5, .farthest = 6, .range_around = false, .vertices = 20};
     wish.orthographic = random.chance(6);
     RandomInstance instance(random, wish);
-    for (int v = 0; v < wish.vertices; ++v)
-      instance.owned.texture_coordinates.push_back({static_cast<std::int16_t>(random.between(-32768, 32767)),
-                                                    static_cast<std::int16_t>(random.between(-32768, 32767))});
+    add_texture_coordinates(random, instance.owned);
     for (int v = 0; v < wish.vertices; ++v) instance.owned.vertex_normals.push_back(random_normal(random).packed);
     instance.mesh = instance.owned.view();
     FrameSettings settings;
@@ -208,23 +206,9 @@ TEST(GeneralShader, BandsAndSpansDrawTheSameBytes) {
     material.texturing.mip_mapping = static_cast<MipMapping>(random.between(0, 2));
     if (random.chance(2)) material.texturing.filter = TextureFilter::bilinear;
     if (random.chance(3)) material.texturing.coordinates = TextureCoordinates::sphere_map;
-    const auto draw = [&]<class Traits>(int lines, Traits*) {
-      Capacity capacity = mesh_capacity(instance.view.viewport.width, instance.view.viewport.height, 1,
-                                        instance.mesh.vertex_count(), instance.mesh.triangle_count());
-      capacity.band_lines = static_cast<std::uint16_t>(std::min<int>(lines, capacity.height));
-      capacity.active = capacity.polygons;
-      Studio<Traits> studio(capacity);
-      studio.begin(settings);
-      studio.add(instance.mesh, instance.transform, material);
-      auto pixels = studio.draw().pixels;
-      EXPECT_TRUE(studio.status().ok()) << to_string(studio.status().fault) << to_string(studio.status().pool);
-      return pixels;
-    };
     using ByBuffer = GeneralTraits<Rgb565, Depth24<>>;
     using BySpans = GeneralTraits<Rgb565, Depth24<>, false, Spanning>;
-    const auto whole = draw(4096, static_cast<ByBuffer*>(nullptr));
-    for (const int lines : {1, 13}) EXPECT_EQ(draw(lines, static_cast<ByBuffer*>(nullptr)), whole) << lines;
-    EXPECT_EQ(draw(16, static_cast<BySpans*>(nullptr)), whole);
+    expect_alike_in_bands_and_spans<ByBuffer, BySpans>(instance, settings, material);
     ASSERT_FALSE(HasFailure()) << "round " << i;
   }
 }

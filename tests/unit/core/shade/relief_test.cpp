@@ -177,22 +177,8 @@ TEST(Relief, BandsAndSpansDrawTheSameBytesWithTextureOrWithout) {
     Material material{random_colour(random), random.chance(2) ? ShadingMode::flat : ShadingMode::gouraud};
     material.relief = {&heights.map, random.chance(2) ? ReliefKind::bump : ReliefKind::emboss};
     if (random.chance(2)) material.texturing.texture = &scenes::textured_wall::texture;
-    const auto draw = [&]<class Traits>(int lines, Traits*) {
-      Capacity capacity = mesh_capacity(instance.view.viewport.width, instance.view.viewport.height, 1,
-                                        instance.mesh.vertex_count(), instance.mesh.triangle_count());
-      capacity.band_lines = static_cast<std::uint16_t>(std::min<int>(lines, capacity.height));
-      capacity.active = capacity.polygons;
-      Studio<Traits> studio(capacity);
-      studio.begin(settings);
-      studio.add(instance.mesh, instance.transform, material);
-      auto pixels = studio.draw().pixels;
-      EXPECT_TRUE(studio.status().ok()) << to_string(studio.status().fault) << to_string(studio.status().pool);
-      return pixels;
-    };
-    using ByBuffer = ReliefTraits<Depth24<>>;
-    const auto whole = draw(4096, static_cast<ByBuffer*>(nullptr));
-    for (const int lines : {1, 13}) EXPECT_EQ(draw(lines, static_cast<ByBuffer*>(nullptr)), whole) << lines;
-    EXPECT_EQ(draw(16, static_cast<ReliefTraits<Depth24<>, Spanning>*>(nullptr)), whole);
+    expect_alike_in_bands_and_spans<ReliefTraits<Depth24<>>, ReliefTraits<Depth24<>, Spanning>>(instance, settings,
+                                                                                                material);
     ASSERT_FALSE(HasFailure()) << "round " << i;
   }
 }

@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "support/exact_triangle.hpp"
-#include "support/ids_picture.hpp"
-#include "support/random_instance.hpp"
+#include "support/instance_picture.hpp"
 
 namespace spanline::test {
 

@@ -193,11 +193,9 @@ TEST(Translucent, ClippedPolygonsAndCutOutsAreDrawnAlikeByAllAlgorithms) {
     OwnTexture own(random, random.chance(2) ? TexelFormat::argb4444 : TexelFormat::rgb565_cutout, 3, 3);
     RandomInstance::Wish wish{.closest = 0.5, .farthest = 6, .range_around = false, .vertices = 12};
     RandomInstance instance(random, wish);
-    for (int v = 0; v < wish.vertices; ++v) {
-      instance.owned.texture_coordinates.push_back({static_cast<std::int16_t>(random.between(-32768, 32767)),
-                                                    static_cast<std::int16_t>(random.between(-32768, 32767))});
+    add_texture_coordinates(random, instance.owned);
+    for (int v = 0; v < wish.vertices; ++v)
       instance.owned.vertex_opacities.push_back(static_cast<std::uint8_t>(random.between(0, 255)));
-    }
     if (random.chance(3)) instance.owned.vertex_opacities.clear();
     instance.mesh = instance.owned.view();
     Material material{.colour = random_colour(random)};

@@ -25,21 +25,6 @@ using SolidTraits =
     RendererTraits<Depth, Rgb565, ShaderList<FlatShader<Rgb565>, GouraudShader<Rgb565>, VolumeShader<Rgb565, Solid>>,
                    false, Visibility>;
 
-template <class Traits>
-std::vector<std::uint16_t> draw(const RandomInstance& instance, const FrameSettings& settings, const Material& material,
-                                int lines, Traits*) {
-  Capacity capacity = mesh_capacity(instance.view.viewport.width, instance.view.viewport.height, 1,
-                                    instance.mesh.vertex_count(), instance.mesh.triangle_count());
-  capacity.band_lines = static_cast<std::uint16_t>(std::min<int>(lines, capacity.height));
-  capacity.active = capacity.polygons;
-  Studio<Traits> studio(capacity);
-  studio.begin(settings);
-  studio.add(instance.mesh, instance.transform, material);
-  auto pixels = studio.draw().pixels;
-  EXPECT_TRUE(studio.status().ok()) << to_string(studio.status().fault) << to_string(studio.status().pool);
-  return pixels;
-}
-
 /// One triangle that may need clipping, under full light.
 struct SolidTriangle {
   RandomInstance instance;
@@ -151,9 +136,9 @@ TEST(Volume, PixelsShowTheirPointOfTheSolid) {
   for (int i = 0; i < triangles; ++i) {
     const SolidTriangle t(random, i % 2 == 1);
     const std::array<std::vector<std::uint16_t>, 3> shown{
-        draw(t.instance, t.settings, t.material, 4096, static_cast<SolidTraits<CoordinateSolid<0>>*>(nullptr)),
-        draw(t.instance, t.settings, t.material, 4096, static_cast<SolidTraits<CoordinateSolid<1>>*>(nullptr)),
-        draw(t.instance, t.settings, t.material, 4096, static_cast<SolidTraits<CoordinateSolid<2>>*>(nullptr))};
+        instance_pixels<SolidTraits<CoordinateSolid<0>>>(t.instance, t.settings, t.material, 4096),
+        instance_pixels<SolidTraits<CoordinateSolid<1>>>(t.instance, t.settings, t.material, 4096),
+        instance_pixels<SolidTraits<CoordinateSolid<2>>>(t.instance, t.settings, t.material, 4096)};
     const int width = t.instance.view.viewport.width, height = t.instance.view.viewport.height;
     for (int y = 0; y < height; y += 4)
       for (int x = 0; x < width; x += 5) {
@@ -210,13 +195,8 @@ TEST(Volume, BandsAndSpansDrawTheSameBytesOfATable) {
     material.volume.source = SolidSource::table;
     material.volume.texture = &table;
     material.volume.exponent = static_cast<std::int8_t>(random.between(-8, 4));
-    using Traits = SolidTraits<TableSolid>;
-    const auto whole = draw(instance, settings, material, 4096, static_cast<Traits*>(nullptr));
-    for (const int lines : {1, 13})
-      EXPECT_EQ(draw(instance, settings, material, lines, static_cast<Traits*>(nullptr)), whole) << lines;
-    EXPECT_EQ(
-        draw(instance, settings, material, 16, static_cast<SolidTraits<TableSolid, Depth24<>, Spanning>*>(nullptr)),
-        whole);
+    expect_alike_in_bands_and_spans<SolidTraits<TableSolid>, SolidTraits<TableSolid, Depth24<>, Spanning>>(
+        instance, settings, material);
     ASSERT_FALSE(HasFailure()) << "round " << i;
   }
 }

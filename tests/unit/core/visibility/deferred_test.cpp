@@ -7,8 +7,7 @@
 
 #include "scenes/screen_soups.hpp"
 #include "support/effort.hpp"
-#include "support/ids_picture.hpp"
-#include "support/random_instance.hpp"
+#include "support/instance_picture.hpp"
 #include "support/random_texture.hpp"
 #include "support/triangle_kinds.hpp"
 
@@ -43,9 +42,7 @@ TEST(Deferred, SurfacesOfAllKindsAndTheirHolesAreTheSameBytes) {
     OwnTexture own(random, random.chance(2) ? TexelFormat::rgb565 : TexelFormat::rgb565_cutout, 3, 4);
     RandomInstance::Wish wish{.closest = 0.5, .farthest = 6, .range_around = false, .vertices = 20};
     RandomInstance instance(random, wish);
-    for (int v = 0; v < wish.vertices; ++v)
-      instance.owned.texture_coordinates.push_back({static_cast<std::int16_t>(random.between(-32768, 32767)),
-                                                    static_cast<std::int16_t>(random.between(-32768, 32767))});
+    add_texture_coordinates(random, instance.owned);
     instance.mesh = instance.owned.view();
     FrameSettings settings;
     settings.camera = instance.view.camera;
@@ -55,22 +52,11 @@ TEST(Deferred, SurfacesOfAllKindsAndTheirHolesAreTheSameBytes) {
     if (random.chance(2)) material.shading = ShadingMode::gouraud;
     if (!random.chance(3)) material.texturing.texture = &own.texture;
     if (random.chance(2)) material.texturing.filter = TextureFilter::bilinear;
-    const auto draw = [&]<class Traits>(int lines, Traits*) {
-      Capacity capacity = mesh_capacity(instance.view.viewport.width, instance.view.viewport.height, 1,
-                                        instance.mesh.vertex_count(), instance.mesh.triangle_count());
-      capacity.band_lines = static_cast<std::uint16_t>(std::min<int>(lines, capacity.height));
-      capacity.active = capacity.polygons;
-      Studio<Traits> studio(capacity);
-      studio.begin(settings);
-      studio.add(instance.mesh, instance.transform, material);
-      auto picture = studio.draw();
-      EXPECT_TRUE(studio.status().ok()) << to_string(studio.status().fault);
-      return picture.pixels;
-    };
     using AtOnce = GeneralTraits<Rgb565, Depth16<>>;
     using Later = GeneralTraits<Rgb565, Depth16<>, false, Deferred<8>>;
-    const auto want = draw(4096, static_cast<AtOnce*>(nullptr));
-    for (const int lines : {4096, 5}) ASSERT_EQ(draw(lines, static_cast<Later*>(nullptr)), want) << "round " << i;
+    const auto want = instance_pixels<AtOnce>(instance, settings, material, 4096);
+    for (const int lines : {4096, 5})
+      ASSERT_EQ(instance_pixels<Later>(instance, settings, material, lines), want) << "round " << i;
   }
 }
 
