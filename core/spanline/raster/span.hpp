@@ -76,7 +76,7 @@ template <RunBlocks Blocks, class Visit>
 }
 
 /// A surface whose blocks of 16 columns can be had some at a time: `certain(column, count)` says whether those of a run
-/// can, and gives them by `take`. `source(column)` then wants a block: it takes one up with `restart(block)`, where it
+/// can, and has the first at hand. `source(column)` then wants a block: it takes one up with `restart(block)`, where it
 /// stands at the block's start, and with `restart(block, into)` at a column of it; bends by `bend(block)`; and is told
 /// of the `next_block()`. `fill_blocks` draws whole ones without a depth test.
 template <class S>
@@ -90,6 +90,7 @@ template <class S>
 concept TableSurface = SurfaceInCertainBlocks<S> && requires(const S& s) {
   { s.texels.table[0] } -> std::convertible_to<std::uint32_t>;
   { s.texels.mask_u + s.texels.mask_v } -> std::convertible_to<std::uint32_t>;
+  { s.source(0).coordinates.du } -> std::convertible_to<std::uint32_t>;
   requires S::plain_texels;
 };
 
@@ -101,16 +102,12 @@ template <SurfaceInCertainBlocks Surface, class Part, class Whole>
                                                       Part part, Whole whole) {
   auto certain = surface.certain(column, count);
   if (!certain.certain()) return false;
-  constexpr std::uint32_t block = 16, most = decltype(certain)::most;
-  typename decltype(certain)::Block blocks[most];
+  constexpr std::uint32_t block = 16;
   std::uint32_t into = certain.into_block();
-  const auto* next = blocks;
-  for (std::uint32_t left = (into + count + block - 1) / block; left != 0;) {
-    const std::uint32_t some = left < most ? left : most;
-    certain.take(blocks, some);
-    left -= some;
-    next = blocks;
-    std::uint32_t wholes = some;
+  const auto* next = certain.blocks();
+  do {
+    std::uint32_t wholes = certain.count();
+    next = certain.blocks();
     if (into != 0) {
       const std::uint32_t pixels = block - into < count ? block - into : count;
       part(column, *next++, into, pixels);
@@ -125,7 +122,7 @@ template <SurfaceInCertainBlocks Surface, class Part, class Whole>
     column += static_cast<std::int32_t>(wholes * block);
     count -= wholes * block;
     next += wholes;
-  }
+  } while (certain.next());
   if (count != 0) part(column, *next, 0, count);
   return true;
 }

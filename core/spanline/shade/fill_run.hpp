@@ -78,7 +78,8 @@ template <class Surface, class Steps, class Pixel>
                                          std::int32_t column, const Steps* blocks) {
   auto source = surface.source(column);
   for (const Steps* const end = blocks + count;;) {
-    source.restart(*blocks);
+    const Steps block = *blocks;  // in registers
+    source.restart(block);
 #pragma GCC unroll 4
     for (std::size_t piece = 0; piece < 4; ++piece) {
 #pragma GCC unroll 4
@@ -86,7 +87,7 @@ template <class Surface, class Steps, class Pixel>
         put(pixels + 4 * piece + i, source);
         source.forward();
       }
-      if (piece != 3) source.bend(*blocks);
+      if (piece != 3) source.bend(block);
     }
     if (++blocks == end) return;
     source.next_block();

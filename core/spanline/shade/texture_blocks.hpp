@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "spanline/math/bits.hpp"
+#include "spanline/shade/block_maker.hpp"
 #include "spanline/shade/texture_plane.hpp"
 
 namespace spanline {
@@ -20,23 +21,20 @@ inline constexpr std::array<std::uint16_t, 256> texture_reciprocal_seed = [] {
 }  // namespace detail
 
 /// The division of a perspective texture: 1/w as a seed of 9 bits and a correction of first order, by products of 32
-/// bits alone, which are the same one instruction on every core.
+/// bits alone, which are the same one instruction on every core. All words are normalised: shifted to the left together
+/// until the top bit of w is set.
 struct TextureReciprocal {
-  std::uint32_t seed;  ///< 2^40 / (w · 2^zeros), good to 2^-9
-  std::int32_t zeros;
+  std::uint32_t seed;       ///< 2^40 / w, good to 2^-9
   std::int32_t correction;  ///< what seed · w lacks of 1, in Q24; and the mean of what the second order would add
 
-  /// `w` in [1, 2^31).
   [[nodiscard]] static TextureReciprocal of(std::uint32_t w) {
     constexpr std::int32_t mean_square = 16;
-    const int zeros = leading_zeros_32(w);
-    const std::uint32_t normalised = w << zeros;
-    const std::uint32_t seed = detail::texture_reciprocal_seed[(normalised >> 23) & 255];
-    return {seed, zeros, mean_square - (signed_word((normalised >> 9) * seed << 1) >> 8)};
+    const std::uint32_t seed = detail::texture_reciprocal_seed[(w >> 23) & 255];
+    return {seed, mean_square - (signed_word((w >> 9) * seed << 1) >> 8)};
   }
   /// part/w in Q30, for part in [0, w]: within 2^-18 of itself, and 2^-21.
   [[nodiscard]] std::uint32_t share(std::uint32_t part) const {
-    const std::uint32_t first = ((part << zeros) >> 10) * seed;
+    const std::uint32_t first = (part >> 10) * seed;
 #if defined(__ARM_FEATURE_DSP)
     std::uint32_t sum;  // the upper half of `first` times 32 bits, without the lowest 16, and `first`
     __asm__("smlawt %0, %1, %2, %2" : "=r"(sum) : "r"(correction * 256), "r"(first));
@@ -45,20 +43,13 @@ struct TextureReciprocal {
     return first + word((signed_word(first >> 16) * correction) >> 8);
 #endif
   }
-  /// How far a parabola in the place of the hyperbola bows back where w has fallen by `fall` to what it is, at most a
-  /// quarter of it: at the middle it leaves the chord by (distance of the ends) · (w − w0) / (2 (w0 + w)), which is
-  /// share/4 · (1 + share/2 + …) for the share of the difference in w. Q16, good to a thousandth of the distance.
-  [[nodiscard]] std::int32_t bow(std::uint32_t fall) const {
-    const std::int32_t share = (signed_word(fall << zeros) >> 16) * signed_word(seed) >> 8;
+  /// How far a parabola in the place of the hyperbola bows back where w has fallen by `fall` · 2^16 to what it is, at
+  /// most a quarter of it: at the middle it leaves the chord by (distance of the ends) · (w − w0) / (2 (w0 + w)), which
+  /// is share/4 · (1 + share/2 + …) for the share of the difference in w. Q16, good to a thousandth of the distance.
+  [[nodiscard]] std::int32_t bow(std::int32_t fall) const {
+    const std::int32_t share = fall * signed_word(seed) >> 8;
     return (share - (share * share >> 17)) >> 2;
   }
-};
-
-/// A block of 16 columns in four pieces, in each of which u and v are linear: steps of a column in its
-/// first piece, what they gain from one piece to the next, and coordinates at its start. Loops in assembly know its
-/// layout.
-struct TextureBlock {
-  std::uint32_t du, dv, ddu, ddv, u, v;
 };
 
 /// Where texture coordinates stand, and steps to the right. Inside a block the steps change every 4 columns.
@@ -87,13 +78,12 @@ struct TextureSteps : TextureBlock {
   }
   /// To another column of the block at whose start it stands.
   void skip(std::uint32_t columns, const TextureBlock& block) {
-    for (; columns >= 4; columns -= 4) {
-      u += du << 2;
-      v += dv << 2;
-      bend(block);
-    }
-    u += du * columns;
-    v += dv * columns;
+    // Piece p is p bends steeper than the first: 4 columns of each before this one, and what is left of this.
+    const std::uint32_t pieces = columns >> 2, bent = pieces * (columns - 2 * pieces - 2);
+    u += du * columns + block.ddu * bent;
+    v += dv * columns + block.ddv * bent;
+    du += block.ddu * pieces;
+    dv += block.ddv * pieces;
   }
 };
 
@@ -102,25 +92,34 @@ struct TextureSteps : TextureBlock {
 /// holds for those between.
 class CertainBlocks {
  public:
-  using Block = TextureBlock;
-  static constexpr std::uint32_t most = 21;  ///< at a time
-
+  /// With the first blocks at hand.
   CertainBlocks(const TexturePlane& plane, std::int32_t column, std::uint32_t count);
   [[nodiscard]] bool certain() const { return certain_; }
   /// Columns from the first block's start to the run.
   [[nodiscard]] std::uint32_t into_block() const { return into_block_; }
-  /// Gives the next `count` blocks, 1 … `most`.
-  void take(TextureBlock* blocks, std::uint32_t count);
+  /// Those at hand, at least one.
+  [[nodiscard]] const TextureBlock* blocks() const { return blocks_; }
+  [[nodiscard]] std::uint32_t count() const { return count_; }
+  /// Goes on to the next ones; false if there are none.
+  [[nodiscard]] bool next() { return left_ != 0 && take_next(); }
 
  private:
-  void take_affine(TextureBlock* blocks, std::uint32_t count);
+  static constexpr std::uint32_t most = 21;  ///< at a time: 320 columns
+
+  bool take_next();
+  void take();
+  void take_affine();
+  void normalise(int zeros, std::uint32_t w, std::uint32_t u, std::uint32_t v);
+  void normalise_behind(std::uint32_t blocks);
 
   bool certain_, affine_;
   std::uint32_t into_block_;
-  std::uint32_t w_, u_, v_;        ///< at the end of the next block. Affine: coordinates
-  std::uint32_t fall_, du_, dv_;   ///< of w, and steps of u and v, a block. Affine: a column
-  std::uint32_t from_u_, from_v_;  ///< coordinates at the end of the block that came last
-  std::uint32_t shift_u_, shift_v_;
+  std::uint32_t count_, left_;    ///< blocks at hand, and behind them
+  std::uint32_t w_, u_, v_;       ///< at the end of the first block. Affine: coordinates at the start of the next
+  std::uint32_t fall_, du_, dv_;  ///< of w, and steps of u and v, a block. Affine: a column
+  std::uint32_t made_ = 0;        ///< blocks before those at hand
+  BlockMaker maker_;
+  TextureBlock blocks_[most];
 };
 
 /// Walks the texture coordinates of a row, piece by piece: in each u and v are linear. It serves every run.
@@ -153,7 +152,7 @@ class TextureBlocks {
     std::uint32_t u, v;  ///< texture coordinates
     bool valid;          ///< w positive, u/w and v/w in [0, 1]
   };
-  void divide(Node& node, std::uint32_t u, std::uint32_t v, const TextureReciprocal& inverse) const;
+  void divide(Node& node, std::uint32_t u, std::uint32_t v) const;
   [[nodiscard]] Node node_at(std::int32_t column) const;
   void divide();
   void next_division();

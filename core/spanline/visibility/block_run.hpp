@@ -22,6 +22,13 @@ struct BlockRun {
   [[gnu::noinline]] static void run(Word* depth, Pixel* pixels, std::uint32_t count, std::uint32_t z, std::uint32_t dz,
                                     const Surface& surface, std::int32_t first, Wrap wrap) {
     if constexpr (SurfaceInCertainBlocks<Surface> && !wraps<Surface, Wrap>) {
+#if defined(__ARM_ARCH_6M__)
+      if constexpr (TableSurface<Surface> && sizeof(Word) == 2 && Depth::smaller) {
+        if (run_in_assembly(depth, pixels, count, z, dz, surface, first)) return;
+        piecewise({depth, pixels, z, dz}, count, surface, first, wrap);
+        return;
+      }
+#endif
       if (for_certain_blocks(
               surface, first, count,
               [&](std::int32_t column, const auto& block, std::uint32_t into, std::uint32_t in_block)
@@ -55,6 +62,45 @@ struct BlockRun {
     using Source = decltype(std::declval<const Surface&>().blocks(0).source());
     return !std::is_same_v<decltype(std::declval<Wrap>()(std::declval<Source>())), Source>;
   }();
+
+#if defined(__ARM_ARCH_6M__)
+  template <class Surface>
+  [[gnu::always_inline]] static inline bool run_in_assembly(Word* depth, Pixel* pixels, std::uint32_t count,
+                                                            std::uint32_t z, std::uint32_t dz, const Surface& surface,
+                                                            std::int32_t first) {
+    const auto& texels = surface.texels;
+    armv6m::TexelRun at;  // what it draws is set with each
+    at.depth = depth;
+    at.pixels = pixels;
+    at.z = z;
+    at.texels = texels.table;
+    at.dz = dz;
+    at.mask_u = 2 * texels.mask_u;
+    at.mask_v = 2 * texels.mask_v;
+    return for_certain_blocks(
+        surface, first, count,
+        [&](std::int32_t column, const auto& block, std::uint32_t into, std::uint32_t in_block)
+            __attribute__((always_inline)) {
+              auto source = surface.source(column);
+              if (into == 0) {
+                source.restart(block, in_block - 1);
+                at.draw_leftwards(block, source.coordinates, in_block);
+              } else if (into + in_block == 16) {
+                source.restart(block, into);
+                at.draw_rightwards(block, source.coordinates, into);
+              } else {  // and that is all of the run
+                part(depth, pixels, z, dz, surface, column, block, into, in_block);
+              }
+            },
+        [&](std::int32_t column, const auto* blocks, std::uint32_t some) __attribute__((always_inline)) {
+          if (aligned(at.depth)) return at.draw_blocks(blocks, some);
+          whole_blocks(at.depth, at.pixels, at.z, dz, surface, column, blocks, some);
+          at.depth += 16 * some;
+          at.pixels += 16 * some;
+          at.z += 16 * some * dz;
+        });
+  }
+#endif
 
   /// Pixels of one block, of whose first piece `piece` pixels are left; `bend` goes from one piece to the next.
   template <class Source, class Bend>
@@ -98,24 +144,6 @@ struct BlockRun {
   [[gnu::noinline]] static void whole_blocks(Word* depth, Pixel* pixels, std::uint32_t z, std::uint32_t dz,
                                              const Surface& surface, std::int32_t column, const Steps* blocks,
                                              std::uint32_t count) {
-#if defined(__ARM_ARCH_6M__)
-    if constexpr (TableSurface<Surface> && sizeof(Word) == 2 && Depth::smaller) {
-      if (aligned(depth)) {
-        const auto& texels = surface.texels;
-        armv6m::TexelBlocks{.depth = depth,
-                            .pixels = pixels,
-                            .z = z,
-                            .texels = texels.table,
-                            .mask_u = 2 * texels.mask_u,
-                            .mask_v = 2 * texels.mask_v,
-                            .dz = dz,
-                            .blocks = blocks,
-                            .end = blocks + count}
-            .draw();
-        return;
-      }
-    }
-#endif
     Place at{depth, pixels, z, dz};
     for (const Steps* const end = blocks + count;;) {
       if constexpr (untouched_pays<Surface>) {

@@ -5,29 +5,52 @@
 #if defined(__ARM_ARCH_6M__)
 namespace spanline::armv6m {
 
-/// Whole blocks of a texture against a 16-bit depth buffer, smaller is nearer, in pixels of 16 bits: what BlockRun does
-/// in C++, with every quantity of the loops in a register.
+/// Blocks of a texture against a 16-bit depth buffer, smaller is nearer, in pixels of 16 bits: what BlockRun does in
+/// C++, with every quantity of the loops in a register.
 ///
-/// Where nothing has been drawn in a block, its depths are written first and then its pixels: the two together want
-/// more than the eight registers that Thumb-1 has for arithmetic.
-struct TexelBlocks {
-  std::uint16_t* depth;  ///< of the first pixel; aligned to 4 bytes
+/// Where nothing has been drawn in a whole block, its depths are written first and then its pixels: the two together
+/// want more than the eight registers that Thumb-1 has for arithmetic.
+struct TexelRun {
+  std::uint16_t* depth;  ///< of the next pixel; for whole blocks aligned to 4 bytes
   std::uint16_t* pixels;
-  std::uint32_t z;  ///< plane word at the first pixel
+  std::uint32_t z;  ///< plane word at the next pixel
   const std::uint16_t* texels;
-  std::uint32_t mask_u, mask_v;  ///< twice those of the table: bytes
   std::uint32_t dz;              ///< of a column
-  const void* blocks;            ///< steps of u and v, their gains from piece to piece, u and v: 24 bytes each
-  const void* end;               ///< behind the last
+  std::uint32_t mask_u, mask_v;  ///< twice those of the table: bytes
 
-  /// Draws the blocks, at least one.
-  [[gnu::always_inline]] void draw();
+  /// What to draw: the blocks up to a pixel, at least one; or steps of u and v, their gains, u and v at the pixel at a
+  /// cut, and where the straight code begins.
+  union {
+    struct {
+      const void* blocks;  ///< step of u, its gain from piece to piece, the same of v, u and v: 24 bytes each
+      std::uint16_t* end;
+    } whole;
+    struct {
+      std::uint32_t du, dv, ddu, ddv, u, v, entry;
+    } part;
+  };
+
+  /// Draws whole blocks and goes behind them.
+  [[gnu::always_inline]] void draw_blocks(const void* blocks, std::uint32_t count);
+  /// Draws a block's last 1 … 15 pixels and goes behind them.
+  template <class Block, class Steps>
+  [[gnu::always_inline]] void draw_rightwards(const Block& block, const Steps& at_first, std::uint32_t into);
+  /// Draws a block's first 1 … 15 pixels from right to left. Ends a run: it is no more where it was.
+  template <class Block, class Steps>
+  [[gnu::always_inline]] void draw_leftwards(const Block& block, const Steps& at_last, std::uint32_t count);
+
+ private:
+  /// Where pixel `number` of the straight code begins: 17 instructions for each, and two for each bend.
+  static constexpr std::uint32_t entry_at(std::uint32_t number) { return 35 * number - (number & 3); }
+  [[gnu::always_inline]] void draw_whole_blocks();
+  [[gnu::always_inline]] void draw_part_rightwards();
+  [[gnu::always_inline]] void draw_part_leftwards();
 };
-static_assert(offsetof(TexelBlocks, mask_u) == 16 && offsetof(TexelBlocks, end) == 32);
+static_assert(offsetof(TexelRun, dz) == 16 && offsetof(TexelRun, part) == 28);
 
 // clang-format off
 // r0 depth, r1 pixels, r2 u, r3 v, r4 and r5 free, r6 and r7 masks, r8 plane word, r9 and r10 steps, r11 and r12 their
-// gains, r14 the table. On the stack: dz, the blocks, their end.
+// gains, r14 the table. On the stack: dz, the blocks, their end, the run.
 
 // A depth at a byte offset; r2 the plane word and r3 its step.
 #define SPANLINE_DEPTH(offset)                                                 \
@@ -78,21 +101,22 @@ static_assert(offsetof(TexelBlocks, mask_u) == 16 && offsetof(TexelBlocks, end) 
   "ldr r4, [sp, #4]\n\t"                                                       \
   "ldmia r4!, {r2, r3}\n\t"                                                    \
   "mov r9, r2\n\t"                                                             \
-  "mov r10, r3\n\t"                                                            \
+  "mov r11, r3\n\t"                                                            \
   "ldmia r4!, {r2, r3}\n\t"                                                    \
-  "mov r11, r2\n\t"                                                            \
+  "mov r10, r2\n\t"                                                            \
   "mov r12, r3\n\t"                                                            \
   "ldmia r4!, {r2, r3}\n\t"                                                    \
   "str r4, [sp, #4]\n\t"
 
-inline void TexelBlocks::draw() {
-  register TexelBlocks* self __asm__("r0") = this;
+inline void TexelRun::draw_whole_blocks() {
+  register TexelRun* self __asm__("r0") = this;
   __asm__ volatile(".syntax unified\n\t"
+                   "push {r0}\n\t"
                    "ldmia r0!, {r1, r2, r3, r4}\n\t"
                    "mov r8, r3\n\t"
                    "mov lr, r4\n\t"
-                   "ldmia r0!, {r6, r7}\n\t"
-                   "ldmia r0!, {r3, r4, r5}\n\t"
+                   "ldmia r0!, {r3, r6, r7}\n\t"
+                   "ldmia r0!, {r4, r5}\n\t"
                    "push {r3, r4, r5}\n\t"
                    "movs r0, r1\n\t"
                    "movs r1, r2\n"
@@ -121,9 +145,8 @@ inline void TexelBlocks::draw() {
                    SPANLINE_BLOCK(SPANLINE_TEXEL)
                    "4: adds r0, #32\n\t"
                    "adds r1, #32\n\t"
-                   "ldr r4, [sp, #4]\n\t"
                    "ldr r5, [sp, #8]\n\t"
-                   "cmp r4, r5\n\t"
+                   "cmp r1, r5\n\t"
                    "beq 7f\n\t"
                    "b 2b\n"
                    "7: b 6f\n"
@@ -131,11 +154,62 @@ inline void TexelBlocks::draw() {
                    SPANLINE_LOAD_BLOCK
                    SPANLINE_BLOCK(SPANLINE_TESTED)
                    "b 4b\n"
-                   "6: add sp, #12\n\t"
+                   "6: ldr r2, [sp, #12]\n\t"
+                   "mov r3, r8\n\t"
+                   "stmia r2!, {r0, r1, r3}\n\t"
+                   "add sp, #16\n\t"
                    : "+r"(self)
                    :
                    : "r1", "r2", "r3", "r4", "r5", "r6", "r7", "r8", "r9", "r10", "r11", "r12", "lr", "cc", "memory");
 }
+
+// A block from right to left: its steps are those of the piece that they lead into.
+#define SPANLINE_BLOCK_LEFTWARDS(PIXEL)                                        \
+  SPANLINE_PIECE(PIXEL, 30, 28, 26, 24) SPANLINE_BEND SPANLINE_STEP            \
+  SPANLINE_PIECE(PIXEL, 22, 20, 18, 16) SPANLINE_BEND SPANLINE_STEP            \
+  SPANLINE_PIECE(PIXEL, 14, 12, 10, 8) SPANLINE_BEND SPANLINE_STEP             \
+  SPANLINE_PIECE(PIXEL, 6, 4, 2, 0)
+
+// Registers as above, but dz alone on the stack, and the run's end.
+#define SPANLINE_ENTER_BLOCK(BLOCK, WRITE_BACK)                                \
+  register TexelRun* self __asm__("r0") = this;                                \
+  __asm__ volatile(".syntax unified\n\t"                                       \
+                   "ldmia r0!, {r1, r2, r3, r4}\n\t"                           \
+                   "mov r8, r3\n\t"                                            \
+                   "mov lr, r4\n\t"                                            \
+                   "ldmia r0!, {r3, r6, r7}\n\t"                               \
+                   "push {r0}\n\t"                                             \
+                   "push {r3}\n\t"                                             \
+                   "ldmia r0!, {r3, r4}\n\t"                                   \
+                   "mov r9, r3\n\t"                                            \
+                   "mov r10, r4\n\t"                                           \
+                   "ldmia r0!, {r3, r4}\n\t"                                   \
+                   "mov r11, r3\n\t"                                           \
+                   "mov r12, r4\n\t"                                           \
+                   "ldmia r0!, {r3, r4, r5}\n\t"                               \
+                   "movs r0, r1\n\t"                                           \
+                   "movs r1, r2\n\t"                                           \
+                   "movs r2, r3\n\t"                                           \
+                   "movs r3, r4\n\t"                                           \
+                   "add pc, r5\n\t"                                            \
+                   "nop\n\t"                                                   \
+                   BLOCK(SPANLINE_TESTED)                                      \
+                   WRITE_BACK                                                  \
+                   "add sp, #8\n\t"                                            \
+                   : "+r"(self)                                                \
+                   :                                                           \
+                   : "r1", "r2", "r3", "r4", "r5", "r6", "r7", "r8", "r9", "r10", "r11", "r12", "lr", "cc", "memory")
+
+inline void TexelRun::draw_part_rightwards() {
+  SPANLINE_ENTER_BLOCK(SPANLINE_BLOCK,
+                       "ldr r2, [sp, #4]\n\t"
+                       "subs r2, #28\n\t"
+                       "adds r0, #32\n\t"
+                       "adds r1, #32\n\t"
+                       "mov r3, r8\n\t"
+                       "stmia r2!, {r0, r1, r3}\n\t");
+}
+inline void TexelRun::draw_part_leftwards() { SPANLINE_ENTER_BLOCK(SPANLINE_BLOCK_LEFTWARDS, ""); }
 
 #undef SPANLINE_DEPTH
 #undef SPANLINE_TEXEL
@@ -145,9 +219,33 @@ inline void TexelBlocks::draw() {
 #undef SPANLINE_DEPTHS_4
 #undef SPANLINE_PIECE
 #undef SPANLINE_BLOCK
+#undef SPANLINE_BLOCK_LEFTWARDS
+#undef SPANLINE_ENTER_BLOCK
 #undef SPANLINE_LOAD_BLOCK
 
 // clang-format on
+
+inline void TexelRun::draw_blocks(const void* blocks, std::uint32_t count) {
+  whole = {blocks, pixels + 16 * count};
+  draw_whole_blocks();
+}
+
+template <class Block, class Steps>
+inline void TexelRun::draw_rightwards(const Block& block, const Steps& at_first, std::uint32_t into) {
+  part = {at_first.du, at_first.dv, block.ddu, block.ddv, at_first.u, at_first.v, entry_at(into)};
+  depth -= into;
+  pixels -= into;
+  draw_part_rightwards();
+}
+
+// The gains are those of going right: what is taken from a step is added to its negative.
+template <class Block, class Steps>
+inline void TexelRun::draw_leftwards(const Block& block, const Steps& at_last, std::uint32_t count) {
+  part = {0u - at_last.du, 0u - at_last.dv, block.ddu, block.ddv, at_last.u, at_last.v, entry_at(16 - count)};
+  z += (count - 1) * dz;
+  dz = 0u - dz;
+  draw_part_leftwards();
+}
 
 }  // namespace spanline::armv6m
 #endif
