@@ -204,11 +204,9 @@ void parse_texturing(const RenderTexts& texts, RenderArguments& arguments) {
 }
 
 /// What surfaces that are worked out pixel by pixel do not go with.
-void refuse_effects(const RenderTexts& texts, const std::string& options) {
+void refuse_texturing(const RenderTexts& texts, const std::string& options) {
   if (texts.environment || texts.filter || texts.mipmap || texts.resize || texts.wrap)
     throw NotAvailable("--environment, --filter, --mipmap, --resize and --wrap with " + options);
-  if (texts.fog || texts.dither || texts.specular || !texts.point_lights.empty())
-    throw NotAvailable("--fog, --dither, --specular and --point-light with " + options);
 }
 
 void parse_solid(const RenderTexts& texts, RenderArguments& arguments) {
@@ -216,7 +214,7 @@ void parse_solid(const RenderTexts& texts, RenderArguments& arguments) {
   arguments.solid = make_solid(*texts.solid);
   if (texts.texture || texts.bump || texts.emboss)
     throw UsageError("--solid: goes without --texture, --bump and --emboss");
-  refuse_effects(texts, "--solid");
+  refuse_texturing(texts, "--solid");
 }
 
 void parse_relief(const RenderTexts& texts, RenderArguments& arguments) {
@@ -228,7 +226,9 @@ void parse_relief(const RenderTexts& texts, RenderArguments& arguments) {
   if (arguments.relief_depth <= 0 || arguments.relief_depth > 64)
     throw UsageError("--bump-depth: must lie above 0 and at most at 64");
   if (!arguments.heights) return;
-  refuse_effects(texts, "--bump or --emboss");
+  refuse_texturing(texts, "--bump or --emboss");
+  if (texts.specular || !texts.point_lights.empty())
+    throw NotAvailable("--specular and --point-light with --bump or --emboss");
 }
 
 void parse_drawing(const RenderTexts& texts, RenderArguments& arguments) {

@@ -224,9 +224,9 @@ class FrameDrawing {
     const bool pixel_by_pixel = request_.relief.heights != nullptr || request_.volume.source != SolidSource::none;
     if (pixel_by_pixel && any([this](const CoreMesh& mesh) {
           const Texture* texture = texture_of(mesh).texture;
-          return mesh.opacity < 255 || !mesh.vertex_opacities.empty() || (texture != nullptr && texture->has_alpha());
+          return !mesh.vertex_opacities.empty() || (texture != nullptr && texture->has_alpha());
         }))
-      throw NotAvailable("--bump, --emboss and --solid on what is seen through");
+      throw NotAvailable("--bump, --emboss and --solid on vertices or textures with opacities");
     if ((request_.specular > 0 || !request_.light.points.empty()) &&
         any([](const CoreMesh& mesh) { return !mesh.vertex_opacities.empty(); }))
       throw NotAvailable("--specular and --point-light on vertices with opacities");

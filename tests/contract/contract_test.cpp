@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "draw_surfaces.hpp"
 #include "generators.hpp"
 #include "support/effort.hpp"
 #include "verdict.hpp"
@@ -54,6 +55,18 @@ TEST_P(Contract, EveryAlgorithmDrawsLayersByItsClass) {
     const Scene scene = generator.make(random);
     ASSERT_EQ(fault_in(scene, manner_of(i, Manner::Content::layers)), "")
         << generator.name << ", seed " << seed_of(generator, round);
+  }
+}
+
+TEST(ContractOfSurfaces, EveryAlgorithmDrawsThemByItsClass) {
+  const Generator& generator = surface_generator();
+  for (int round = 0; round < test::rounds(generator.rounds); ++round) {
+    Random random(seed_of(generator, round));
+    const Scene scene = generator.make(random);
+    Manner manner;
+    manner.content = Manner::Content::colours;
+    manner.band_lines = band_heights[round % 4];
+    ASSERT_EQ(fault_in(scene, manner, surface_drawer), "") << "seed " << seed_of(generator, round);
   }
 }
 

@@ -38,6 +38,11 @@ const std::vector<Generator>& mesh_generators() {
   return list;
 }
 
+const Generator& surface_generator() {
+  static const Generator surfaces_of_all_kinds{"surfaces", surfaces, 600};
+  return surfaces_of_all_kinds;
+}
+
 const Generator& generator(const std::string& name) {
   for (const auto* list : {&screen_generators(), &mesh_generators()})
     for (const Generator& one : *list)

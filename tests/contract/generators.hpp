@@ -26,6 +26,8 @@ inline std::ostream& operator<<(std::ostream& out, const Generator& generator) {
 [[nodiscard]] const std::vector<Generator>& screen_generators();
 /// Scenes of meshes before a camera.
 [[nodiscard]] const std::vector<Generator>& mesh_generators();
+/// Scenes of meshes with every kind of surface, for renderers that have them all.
+[[nodiscard]] const Generator& surface_generator();
 [[nodiscard]] const Generator& generator(const std::string& name);
 
 /// The seed of a generator's scene number `round`. SPANLINE_CONTRACT_SEED in the environment chooses other scenes than
@@ -56,5 +58,7 @@ inline std::ostream& operator<<(std::ostream& out, const Generator& generator) {
 [[nodiscard]] Scene nested_spheres(Random& random);
 [[nodiscard]] Scene crossing_tori(Random& random);
 [[nodiscard]] Scene clipped_soup(Random& random);
+
+[[nodiscard]] Scene surfaces(Random& random);
 
 }  // namespace spanline::contract

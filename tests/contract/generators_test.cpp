@@ -4,8 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
-#include "drawing.hpp"
+#include "draw_surfaces.hpp"
 #include "support/effort.hpp"
 
 namespace spanline::contract {
@@ -32,6 +33,19 @@ TEST_P(Generators, MakeScenesThatShowPolygonsAndTheSameOnesAgain) {
 std::string name_of(const ::testing::TestParamInfo<Generator>& info) { return info.param.name; }
 INSTANTIATE_TEST_SUITE_P(OnScreen, Generators, ::testing::ValuesIn(screen_generators()), name_of);
 INSTANTIATE_TEST_SUITE_P(OfMeshes, Generators, ::testing::ValuesIn(mesh_generators()), name_of);
+INSTANTIATE_TEST_SUITE_P(OfSurfaces, Generators, ::testing::Values(surface_generator()), name_of);
+
+TEST(SurfaceGenerator, MakesPicturesOfManyColours) {
+  int colourful = 0;
+  const int count = test::sample_size(40);
+  for (int round = 0; round < count; ++round) {
+    Random random(seed_of(surface_generator(), round));
+    const Drawing drawing = reference_of_surfaces(surfaces(random), {});
+    ASSERT_TRUE(drawing.status.ok()) << to_string(drawing.status.fault);
+    if (std::set<std::uint32_t>(drawing.pixels.begin(), drawing.pixels.end()).size() > 30) ++colourful;
+  }
+  EXPECT_GE(3 * colourful, 2 * count);
+}
 
 TEST(NestedGenerator, MakesPolygonsSleep) {
   std::uint64_t sleeps = 0;

@@ -6,6 +6,7 @@
 
 #include "spanline/frame/renderer.hpp"
 #include "support/owned_mesh.hpp"
+#include "support/random_texture.hpp"
 #include "support/screen_triangle.hpp"
 
 namespace spanline::contract {
@@ -21,6 +22,14 @@ struct Part {
   Material material;
 };
 
+/// What a surface may be made of besides a texture.
+struct SurfaceTables {
+  std::vector<std::uint8_t> bytes;
+  std::vector<std::uint16_t> words;
+  HeightMap heights;
+  VolumeTexture solid;
+};
+
 /// What every algorithm is to draw: triangles given on screen, then instances. Moved, never copied: parts point into
 /// it.
 struct Scene {
@@ -29,6 +38,9 @@ struct Scene {
   std::deque<OwnedMesh> owned;
   std::deque<Mesh> meshes;  ///< views of `owned`
   std::vector<Part> parts;
+  std::deque<test::OwnTexture> textures;  ///< of the parts' materials
+  std::deque<SurfaceTables> tables;       ///< likewise
+  std::vector<PointLight> point_lights;   ///< of the settings
   FrameSettings settings;
 
   Scene() { settings.cull = Cull::none; }

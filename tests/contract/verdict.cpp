@@ -88,12 +88,12 @@ std::string fault_of(Exactness exactness, const Drawing& want, const Drawing& go
   }
 }
 
-std::string fault_in(const Scene& scene, const Manner& manner) {
-  const Drawing want = reference(scene, manner);
+std::string fault_in(const Scene& scene, const Manner& manner, const Drawer& drawer) {
+  const Drawing want = drawer.reference(scene, manner);
   const Drawing owners = manner.content == Manner::Content::ids ? want : reference(scene, {});
   const bool overlap = scene.depths_overlap();
   for (const sim::VisibilityEntry& entry : algorithms()) {
-    const Drawing got = draw(entry, scene, manner);
+    const Drawing got = drawer.by(entry, scene, manner);
     std::string fault = got.status.ok() ? fault_of(exactness_of(entry), want, got, owners, overlap)
                                         : std::string(to_string(got.status.fault)) + ": " + to_string(got.status.pool);
     if (fault.empty()) fault = wrong_count(got);

@@ -30,7 +30,13 @@ enum class Exactness : std::uint8_t {
 [[nodiscard]] std::string fault_of(Exactness exactness, const Drawing& want, const Drawing& got, const Drawing& owners,
                                    bool depths_overlap);
 
+/// Draws a scene by an algorithm, or as all of them must.
+struct Drawer {
+  Drawing (*by)(const sim::VisibilityEntry&, const Scene&, const Manner&);
+  Drawing (*reference)(const Scene&, Manner);
+};
+
 /// Draws the scene by every algorithm that is listed, and holds each against its class; also against its counters.
-[[nodiscard]] std::string fault_in(const Scene& scene, const Manner& manner);
+[[nodiscard]] std::string fault_in(const Scene& scene, const Manner& manner, const Drawer& drawer = {draw, reference});
 
 }  // namespace spanline::contract

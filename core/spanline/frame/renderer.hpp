@@ -122,7 +122,7 @@ class Renderer {
   Status add(const Mesh& mesh, const Transform& transform, const Material& material) {
     if (!ready_) return status_.ok() ? Status{Fault::bad_settings, Pool::none, 0} : status_;
     const bool mapped = has_textures && material.texturing.lies_on(mesh);
-    const bool relief = material.relief.heights != nullptr && !mesh.texture_coordinates.empty();
+    const bool relief = under_relief(mesh, material);
     const bool volume = material.volume.source != SolidSource::none;
     const bool textured = has_textures && (mapped || relief || volume);
     const bool local_light = material.shines() || !lighting_.point_lights.empty();
@@ -260,14 +260,24 @@ class Renderer {
   static constexpr bool has_shades =
       has_ramps || has_translucent || Shaders::template index_of<GouraudColourShader<Format>> < Shaders::count;
   static constexpr bool has_textures =
-      Shaders::first([]<class Shader>() { return DrawsTextures<Shader> || Translucent<Shader>; }) < Shaders::count;
-  static constexpr bool has_effects = general < Shaders::count || has_translucent ||
-                                      Shaders::first([]<class Shader>() { return Fogged<Shader>; }) < Shaders::count;
+      Shaders::first([]<class Shader>() { return DrawsTextures<ColourShader<Shader>>; }) < Shaders::count;
+  static constexpr bool has_relief = Shaders::first([]<class Shader>() {
+                                       return std::is_same_v<ColourShader<Shader>, ReliefShader<Format>>;
+                                     }) < Shaders::count;
+  static constexpr bool has_volumes =
+      Shaders::first([]<class Shader>() { return DrawsVolumes<ColourShader<Shader>>; }) < Shaders::count;
+  static constexpr bool has_pixelwise = has_relief || has_volumes;
+  static constexpr bool has_effects =
+      general < Shaders::count || has_translucent || has_pixelwise ||
+      Shaders::first([]<class Shader>() { return Fogged<ColourShader<Shader>>; }) < Shaders::count;
   [[nodiscard]] static constexpr bool is_general(std::uint8_t shader) {
     if constexpr (has_translucent) {
       if (shader == translucent) return true;
     }
     return has_effects && shader == general;
+  }
+  [[nodiscard]] static bool under_relief(const Mesh& mesh, const Material& material) {
+    return material.relief.heights != nullptr && !mesh.texture_coordinates.empty();
   }
   /// Whether vertices have opacities of their own, and there is a shader for them: others say so, or draw ids.
   [[nodiscard]] static bool varying_opacity(const Mesh& mesh) {
@@ -279,10 +289,6 @@ class Renderer {
     return shade_kind(mesh, material);
   }
   static constexpr bool has_local_light = Shaders::template index_of<LocalFlatShader<Format>> < Shaders::count;
-  static constexpr bool has_relief = Shaders::template index_of<ReliefShader<Format>> < Shaders::count;
-  static constexpr bool has_volumes =
-      Shaders::first([]<class Shader>() { return DrawsVolumes<Shader>; }) < Shaders::count;
-  static constexpr bool has_pixelwise = has_relief || has_volumes;
   struct NoEffects {};
 
   void prepare_effects([[maybe_unused]] const FrameSettings& settings) {
@@ -419,10 +425,11 @@ class Renderer {
   static void light_vertices(const Mesh& mesh, [[maybe_unused]] const Material& material,
                              [[maybe_unused]] bool local_light, const ShadingGroup& shading, std::uint32_t* shades) {
     if constexpr (has_relief) {
-      if (shading.shader == Shaders::template index_of<ReliefShader<Format>>)
-        return shade_vertices_for_relief(mesh, shading, shades);
+      if (under_relief(mesh, material)) return shade_vertices_for_relief(mesh, shading, shades);
     }
     if constexpr (has_local_light) {
+      if (has_volumes && shade_kind(mesh, material) == vertex_shade::Kind::highlight_and_intensity)
+        return shade_solid_vertices_locally(mesh, *shading.textured->local, shades);
       if (local_light) return shade_vertices_locally(mesh, material.colour, *shading.textured->local, shades);
     }
     shade_vertices(mesh, shading, shades);

@@ -70,8 +70,8 @@ using GeneralSeeThroughTraits = RendererTraits<
                RepeatedTextureShader<Format, TexelFormat::rgb565, GouraudTexelLight>, GeneralShader<Format>,
                LocalFlatShader<Format>, ReliefShader<Format>, VolumeShader<Format>,
                SeeThroughShader<Format, FlatShader<Format>>, SeeThroughShader<Format, GouraudShader<Format>>,
-               SeeThroughShader<Format, GouraudColourShader<Format>>,
-               SeeThroughShader<Format, TranslucentShader<Format>>>,
+               SeeThroughShader<Format, GouraudColourShader<Format>>, SeeThroughShader<Format, ReliefShader<Format>>,
+               SeeThroughShader<Format, VolumeShader<Format>>, SeeThroughShader<Format, TranslucentShader<Format>>>,
     Statistics, Visibility>;
 
 /// Draws polygon numbers instead of colours.
@@ -112,6 +112,18 @@ using GeneralTraits = RendererTraits<
                LocalFlatShader<Format>, ReliefShader<Format>, VolumeShader<Format>>,
     Statistics, Visibility>;
 
+/// The shader that makes the colours of one that is seen through; others themselves.
+template <class Shader>
+struct ColourShaderOf {
+  using type = Shader;
+};
+template <SeeThrough Shader>
+struct ColourShaderOf<Shader> {
+  using type = typename Shader::Inner;
+};
+template <class Shader>
+using ColourShader = typename ColourShaderOf<Shader>::type;
+
 /// Whether a shader draws textures: it says which materials it serves.
 template <class Shader>
 concept DrawsTextures = requires(const Material& material) {
@@ -145,7 +157,7 @@ struct SurfaceNeeds {
 template <class Shader, class Format>
 [[nodiscard]] constexpr bool serves(const Material& material, const SurfaceNeeds& needs) {
   if (needs.volume || needs.relief) {
-    if (needs.effects || needs.local_light || (needs.volume && needs.relief)) return false;
+    if (needs.relief && (needs.volume || needs.local_light)) return false;
     if constexpr (DrawsVolumes<Shader>) return needs.volume && Shader::serves(material, needs.vertex_colours);
     if constexpr (std::is_same_v<Shader, ReliefShader<Format>>)
       return needs.relief && Shader::serves(material, needs.vertex_colours);
@@ -186,8 +198,7 @@ template <class Traits>
       if constexpr (Translucent<Shader>)
         return see_through && !needs.relief && !needs.volume;
       else if constexpr (SeeThrough<Shader>)
-        return see_through && !needs.varies && !needs.effects &&
-               serves<typename Shader::Inner, Format>(material, needs);
+        return see_through && !needs.varies && serves<typename Shader::Inner, Format>(material, needs);
       else
         return !see_through && serves<Shader, Format>(material, needs);
     });

@@ -9,9 +9,10 @@ namespace spanline {
 namespace vertex_shade {
 
 enum class Kind : std::uint8_t {
-  intensity,           ///< 1/65536 of full light, [64, 65471]
-  colour,              ///< a lit colour: 11 bits of red, 11 of green, 10 of blue, from the top
-  colour_and_opacity,  ///< 8 bits each of red, green, blue and opacity, from the top
+  intensity,                ///< 1/65536 of full light, [64, 65471]
+  colour,                   ///< a lit colour: 11 bits of red, 11 of green, 10 of blue, from the top
+  colour_and_opacity,       ///< 8 bits each of red, green, blue and opacity, from the top
+  highlight_and_intensity,  ///< 16 bits each from the top, both as intensities are
 };
 
 inline constexpr std::uint32_t lowest_intensity = 64, highest_intensity = 65471;
@@ -42,6 +43,17 @@ inline constexpr std::uint32_t lowest_intensity = 64, highest_intensity = 65471;
                                                                : value);
 }
 
+/// Kind::highlight_and_intensity; the latter lies where an intensity alone does.
+[[nodiscard]] constexpr std::uint32_t pack(std::uint32_t highlight, std::uint32_t intensity) {
+  return highlight << 16 | intensity;
+}
+[[nodiscard]] constexpr std::int32_t intensity_16(std::uint32_t shade) {
+  return static_cast<std::int32_t>(shade & 0xffff);
+}
+[[nodiscard]] constexpr std::int32_t highlight_16(std::uint32_t shade) {
+  return static_cast<std::int32_t>(shade >> 16);
+}
+
 /// from + (to − from)·t, t in Q31 of [0, 1].
 [[nodiscard]] constexpr std::uint32_t mix_word(std::uint32_t from, std::uint32_t to, std::uint32_t t) {
   const std::int64_t difference = static_cast<std::int64_t>(to) - static_cast<std::int64_t>(from);
@@ -53,6 +65,8 @@ inline constexpr std::uint32_t lowest_intensity = 64, highest_intensity = 65471;
     const auto byte = [&](unsigned shift) { return mix_word((from >> shift) & 255, (to >> shift) & 255, t); };
     return pack(byte(24), byte(16), byte(8), byte(0));
   }
+  if (kind == Kind::highlight_and_intensity)
+    return pack(mix_word(from >> 16, to >> 16, t), mix_word(from & 0xffff, to & 0xffff, t));
   return pack(mix_word(from >> 21, to >> 21, t), mix_word((from >> 10) & 2047, (to >> 10) & 2047, t),
               mix_word(from & 1023, to & 1023, t));
 }

@@ -5,6 +5,7 @@
 #include "spanline/math/bits.hpp"
 #include "spanline/model/camera.hpp"
 #include "spanline/model/fog.hpp"
+#include "spanline/raster/linear_function.hpp"
 
 namespace spanline {
 
@@ -39,7 +40,17 @@ struct FrameEffects {
   Rgb888 fog_colour{};
   bool fogged = false;
   bool dither = false;
+
+  [[nodiscard]] bool any() const { return fogged || dither; }
 };
+
+/// A triangle's nearness as a function of the screen, for fog.
+template <class Gradients>
+void fit_nearness(const FogTable& fog, const Gradients& gradients, LinearFunction& nearness) {
+  const auto corners = gradients.corners();
+  const auto of = [&](unsigned i) { return fog.nearness(corners[i]->depth_word >> 8); };
+  gradients.fit_fine({of(0), of(1), of(2)}, 24, nearness);
+}
 
 /// Ordered dither (Bayer's 4 × 4 matrix): how much of a step is added before rounding down, in 255ths; its mean over
 /// the matrix is a half.

@@ -111,10 +111,8 @@ struct GeneralShader {
       surface.density = texel_density(corners, vertices, texture, values);
     }
     surface.nearness = {};
-    if (const FrameEffects& effects = *group.textured->effects; effects.fogged) {
-      const auto nearness = [&](unsigned i) { return effects.fog.nearness(corners[i]->depth_word >> 8); };
-      gradients.fit_fine({nearness(0), nearness(1), nearness(2)}, 24, surface.nearness);
-    }
+    const FrameEffects& effects = *group.textured->effects;
+    if (effects.fogged) fit_nearness(effects.fog, gradients, surface.nearness);
     light(surface, group, polygon, gradients);
   }
 

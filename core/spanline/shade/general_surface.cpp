@@ -3,28 +3,11 @@
 #include <algorithm>
 #include <array>
 
+#include "spanline/shade/colour_888.hpp"
 #include "spanline/shade/texel_reader.hpp"
 
 namespace spanline {
 namespace {
-
-/// Channels of 8 bits.
-struct Colour {
-  std::int32_t red, green, blue;
-
-  [[nodiscard]] static Colour from(Rgb888 c) { return {c.red, c.green, c.blue}; }
-  template <class F>
-  [[nodiscard]] static Colour of(F channel) {
-    return {channel(&Colour::red), channel(&Colour::green), channel(&Colour::blue)};
-  }
-};
-
-std::int32_t mixed(std::int32_t from, std::int32_t to, std::int32_t share) {
-  return in_255ths(from * (255 - share) + to * share);
-}
-Colour mixed(const Colour& from, const Colour& to, std::int32_t share) {
-  return Colour::of([&](auto c) { return mixed(from.*c, to.*c, share); });
-}
 
 std::uint32_t wrapped(std::int32_t texel, unsigned log2_size, Wrap wrap) {
   const std::int32_t last = (1 << log2_size) - 1;
@@ -43,11 +26,11 @@ Texel nearest_texel(const TexelSource& source, std::uint32_t u, std::uint32_t v)
 }
 
 struct Sample {
-  Colour colour;
+  Colour888 colour;
   std::int32_t alpha;  ///< 255ths
 };
 
-Sample sample_of(const Texel& texel) { return {Colour::from(widened(texel.rgb565)), texel.alpha * 17}; }
+Sample sample_of(const Texel& texel) { return {Colour888::from(widened(texel.rgb565)), texel.alpha * 17}; }
 
 /// 255/alpha in Q8; nothing for alpha 0.
 constexpr std::array<std::uint16_t, 256> straightening = [] {
@@ -73,8 +56,8 @@ Sample bilinear(const TexelSource& source, std::uint32_t u, std::uint32_t v, boo
   };
   const std::int32_t alpha = weighted([](const Sample& s) { return s.alpha; });
   if (!by_alpha)
-    return {Colour::of([&](auto c) { return weighted([c](const Sample& s) { return s.colour.*c; }); }), alpha};
-  return {Colour::of([&](auto c) {
+    return {Colour888::of([&](auto c) { return weighted([c](const Sample& s) { return s.colour.*c; }); }), alpha};
+  return {Colour888::of([&](auto c) {
             const std::int32_t covered = weighted([c](const Sample& s) { return in_255ths(s.alpha * s.colour.*c); });
             return std::min<std::int32_t>((covered * straightening[word(alpha)] + 128) >> 8, 255);
           }),
@@ -91,17 +74,17 @@ Sample sample(const Texturing& texturing, const TexelSource& texels, std::uint32
   return bilinear(texels, u, v, has_alpha(texturing));
 }
 
-Colour textured(const Texturing& texturing, const Sample& texel, const Colour& surface) {
+Colour888 textured(const Texturing& texturing, const Sample& texel, const Colour888& surface) {
   switch (texturing.function) {
     case TextureFunction::modulate:
-      return Colour::of([&](auto c) { return in_255ths(texel.colour.*c * surface.*c); });
+      return Colour888::of([&](auto c) { return in_255ths(texel.colour.*c * surface.*c); });
     case TextureFunction::replace:
       return texel.colour;
     case TextureFunction::decal:
       return mixed(surface, texel.colour, texel.alpha);
     case TextureFunction::blend: {
-      const Colour blend = Colour::from(texturing.blend_colour);
-      return Colour::of([&](auto c) { return mixed(surface.*c, blend.*c, texel.colour.*c); });
+      const Colour888 blend = Colour888::from(texturing.blend_colour);
+      return Colour888::of([&](auto c) { return mixed(surface.*c, blend.*c, texel.colour.*c); });
     }
   }
   return surface;
@@ -185,7 +168,7 @@ std::uint8_t general_opacity(const GeneralSurface& surface, const TexelSource& t
 
 GeneralColour general_pixel(const GeneralSurface& surface, const TexelSource& texels, const GeneralPixel& pixel) {
   const auto channel = [](std::uint32_t value) { return signed_word(value >> 24); };
-  Colour colour{channel(pixel.red), channel(pixel.green), channel(pixel.blue)};
+  Colour888 colour{channel(pixel.red), channel(pixel.green), channel(pixel.blue)};
   std::uint8_t opacity = 255;
   if (surface.textured) {
     const Texturing& texturing = surface.group->texturing;
@@ -193,17 +176,7 @@ GeneralColour general_pixel(const GeneralSurface& surface, const TexelSource& te
     colour = textured(texturing, texel, colour);
     if (uses_alpha(texturing, TexelAlpha::blend)) opacity = static_cast<std::uint8_t>(texel.alpha);
   }
-  const FrameEffects& effects = *surface.group->effects;
-  if (effects.fogged)
-    colour = mixed(colour, Colour::from(effects.fog_colour), signed_word(effects.fog.at(pixel.nearness)));
-  const std::int32_t threshold =
-      effects.dither ? dither_thresholds[(word(pixel.column) & 3) + (surface.row & 3) * 4] : 127;
-  const auto rounded = [threshold](std::int32_t value, std::int32_t greatest) {
-    return word(((value * greatest + threshold) * 0x8081) >> 23);
-  };
-  return {static_cast<std::uint16_t>(rounded(colour.red, 31) << 11 | rounded(colour.green, 63) << 5 |
-                                     rounded(colour.blue, 31)),
-          opacity};
+  return {finished_rgb565(*surface.group->effects, colour, pixel.nearness, word(pixel.column), surface.row), opacity};
 }
 
 }  // namespace spanline

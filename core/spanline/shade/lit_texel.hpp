@@ -3,6 +3,12 @@
 
 namespace spanline {
 
+/// A colour, RGB565, and the light on it in 65535ths.
+struct LitTexel {
+  std::uint16_t rgb565;
+  std::uint32_t light;
+};
+
 /// A colour of RGB565 under a light of 16 bits, channels rounded to nearest.
 [[nodiscard]] constexpr std::uint16_t lit_rgb565(std::uint32_t rgb565, std::uint32_t light) {
   constexpr std::uint32_t half = 1u << 15;

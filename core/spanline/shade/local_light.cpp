@@ -177,4 +177,12 @@ void shade_vertices_locally(const Mesh& mesh, Rgb888 colour, const LocalLighting
   }
 }
 
+void shade_solid_vertices_locally(const Mesh& mesh, const LocalLighting& lighting, std::uint32_t* shades) {
+  const std::size_t count = mesh.vertex_count();
+  for (std::size_t i = 0; i < count; ++i) {
+    const SurfaceLight light = lighting.at_vertex(i);
+    shades[i] = vertex_shade::pack(gouraud::shade_of(light.highlight), gouraud::shade_of(light.diffuse));
+  }
+}
+
 }  // namespace spanline

@@ -69,5 +69,7 @@ class LocalLighting {
 /// Gouraud light: a shade for every vertex of the mesh. With highlights all are lit colours, otherwise as in
 /// `shade_vertices`.
 void shade_vertices_locally(const Mesh& mesh, Rgb888 colour, const LocalLighting& lighting, std::uint32_t* shades);
+/// The same for solids: light and highlight (Kind::highlight_and_intensity).
+void shade_solid_vertices_locally(const Mesh& mesh, const LocalLighting& lighting, std::uint32_t* shades);
 
 }  // namespace spanline

@@ -2,21 +2,23 @@
 #include <cstdint>
 
 #include "spanline/raster/span.hpp"
+#include "spanline/shade/local_light.hpp"
+#include "spanline/shade/pixelwise_surface.hpp"
 #include "spanline/shade/shading_group.hpp"
 #include "spanline/shade/texture_blocks.hpp"
 
 namespace spanline {
 
-/// A shader whose pixels are worked out one by one from texture coordinates and one linear function, by what a
-/// polygon's `Kind` makes of them:
+/// A shader whose pixels are worked out one by one from texture coordinates and light, by what a polygon's `Kind`, a
+/// PixelwiseSurface, makes of them:
 ///
-///     TexturePlane plane; LinearFunction light;
-///     std::uint16_t pixel(u, v, light) const       // RGB565
+///     LitTexel texel(u, v, light) const
 ///     static bool serves(const Material&, bool vertex_colours)
 ///     template <class Gradients> void make_kind(const ShadingGroup&, const PolygonCorners&, const Gradients&)
-///     static std::uint32_t flat_light(const ShadingGroup&, Link polygon)  // 16 bits, as vertex shades are
+///     static SurfaceLight flat_light(const ShadingGroup&, Link polygon)  // 16 bits each, as vertex shades are
 ///
-/// The light is made here: of the vertices' shades, or the same all over a polygon.
+/// The light is made here: of the vertices' shades, or the same all over a polygon; and so are highlights, fog and
+/// dither.
 template <class Format, class Kind>
 struct PixelwiseShader {
   using Pixel = typename Format::Pixel;
@@ -26,15 +28,20 @@ struct PixelwiseShader {
     static constexpr bool constant = false;
     TextureBlocks::Coordinates coordinates;
     std::uint32_t light, step;
+    std::int32_t column;
     const Kind* kind;
-    [[nodiscard]] Pixel get() const { return Format::from_rgb565(kind->pixel(coordinates.u, coordinates.v, light)); }
+    [[nodiscard]] Pixel get() const {
+      return Format::from_rgb565(kind->pixel(kind->texel(coordinates.u, coordinates.v, light), column));
+    }
     void forward() {
       coordinates.forward();
       light += step;
+      ++column;
     }
     void back() {
       coordinates.back();
       light -= step;
+      --column;
     }
     void bend() { coordinates.bend(); }
   };
@@ -45,7 +52,7 @@ struct PixelwiseShader {
     [[nodiscard]] std::uint32_t rest() const { return walk_.rest(); }
     [[nodiscard]] std::uint32_t rest_of_block() const { return walk_.rest_of_block(); }
     [[nodiscard]] Source source() const {
-      return {walk_.coordinates(), kind_.light.at(walk_.column()), kind_.light.dx, &kind_};
+      return {walk_.coordinates(), kind_.light.at(walk_.column()), kind_.light.dx, walk_.column(), &kind_};
     }
     void next() { walk_.next(); }
 
@@ -55,11 +62,7 @@ struct PixelwiseShader {
   };
 
   struct Surface : Kind {
-    void next_row() { skip_rows(1); }
-    void skip_rows(std::int32_t rows) {
-      this->plane.skip_rows(rows);
-      this->light.skip_rows(rows);
-    }
+    void next_row() { this->skip_rows(1); }
     [[nodiscard]] Blocks blocks(std::int32_t column) const { return {*this, column}; }
   };
 
@@ -69,13 +72,25 @@ struct PixelwiseShader {
   template <class Gradients>
   static void make(Surface& surface, const ShadingGroup& group, const PolygonCorners& polygon,
                    const Gradients& gradients) {
+    surface.group = group.textured;
+    const FrameEffects& effects = *surface.group->effects;
+    surface.shines = surface.group->local != nullptr && surface.group->local->shines();
+    surface.plain = !surface.shines && !effects.any();
+    surface.row = static_cast<std::uint16_t>(gradients.row());
+    surface.highlight = surface.nearness = {};
     surface.make_kind(group, polygon, gradients);
+    if (effects.fogged) fit_nearness(effects.fog, gradients, surface.nearness);
     if (group.vertex_shades == nullptr) {
-      surface.light = {Kind::flat_light(group, polygon.polygon) << 16, 0, 0};
+      const SurfaceLight light = Kind::flat_light(group, polygon.polygon);
+      surface.light = {light.diffuse << 16, 0, 0};
+      surface.highlight = {light.highlight << 16, 0, 0};
       return;
     }
-    gradients.fit([&](const ScreenVertex* v) { return signed_word(group.vertex_shades[gradients.index(v)]); },
-                  surface.light);
+    const auto fit = [&](auto value, LinearFunction& function) {
+      gradients.fit([&](const ScreenVertex* v) { return value(group.vertex_shades[gradients.index(v)]); }, function);
+    };
+    fit(vertex_shade::intensity_16, surface.light);
+    if (surface.shines) fit(vertex_shade::highlight_16, surface.highlight);
   }
 };
 

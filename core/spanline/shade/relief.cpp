@@ -1,7 +1,6 @@
 #include "spanline/shade/relief.hpp"
 
 #include "spanline/math/inverse_root.hpp"
-#include "spanline/shade/lit_texel.hpp"
 #include "spanline/shade/texel_reader.hpp"
 
 namespace spanline {
@@ -107,8 +106,8 @@ std::uint32_t ReliefSurface::light_at(std::uint32_t u, std::uint32_t v, std::int
   const HeightMap& map = *relief.heights;
   const std::uint32_t mask_x = (1u << map.log2_width) - 1, mask_y = (1u << map.log2_height) - 1;
   const std::uint32_t x = u >> 16, y = v >> 16;
-  const auto height = [&](std::uint32_t column, std::uint32_t row) {
-    return std::int32_t{map.heights[((row & mask_y) << map.log2_width) + (column & mask_x)]};
+  const auto height = [&](std::uint32_t at_x, std::uint32_t at_y) {
+    return std::int32_t{map.heights[((at_y & mask_y) << map.log2_width) + (at_x & mask_x)]};
   };
   std::int32_t lit = facing;
   if (relief.kind == ReliefKind::bump) {
@@ -127,19 +126,19 @@ std::uint32_t ReliefSurface::light_at(std::uint32_t u, std::uint32_t v, std::int
   return word(sum > 65535 ? 65535 : sum);
 }
 
-std::uint16_t ReliefSurface::pixel(std::uint32_t u, std::uint32_t v, std::uint32_t light_word) const {
+LitTexel ReliefSurface::texel(std::uint32_t u, std::uint32_t v, std::uint32_t light_word) const {
   const std::uint32_t amount = light_at(u, v, relief_light::decoded(light_word));
   const Texture* texture = group->texturing.texture;
-  if (texture == nullptr) return lit_rgb565(colour, amount);
+  if (texture == nullptr) return {colour, amount};
   // From texels of the heights to those of the texture.
   const HeightMap& map = *group->pixelwise->relief.heights;
-  const auto texel = [](std::uint32_t coordinate, unsigned from, unsigned to) {
+  const auto scaled = [](std::uint32_t coordinate, unsigned from, unsigned to) {
     const unsigned shift = 16 + from;
     return (shift >= to ? coordinate >> (shift - to) : coordinate) & ((1u << to) - 1);
   };
-  const std::uint32_t x = texel(u, map.log2_width, texture->log2_width),
-                      y = texel(v, map.log2_height, texture->log2_height);
-  return lit_rgb565(read_texel(*texture, x, y).rgb565, amount);
+  const std::uint32_t x = scaled(u, map.log2_width, texture->log2_width),
+                      y = scaled(v, map.log2_height, texture->log2_height);
+  return {read_texel(*texture, x, y).rgb565, amount};
 }
 
 bool ReliefSurface::serves(const Material& material, bool vertex_colours) {

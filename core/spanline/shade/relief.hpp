@@ -28,11 +28,8 @@ inline constexpr std::int32_t zero = 1 << 15;
 /// A shade for every vertex of a mesh under relief, for smooth shading.
 void shade_vertices_for_relief(const Mesh& mesh, const ShadingGroup& group, std::uint32_t* shades);
 
-/// What a polygon under relief keeps: coordinates in texels of its heights with 16 fraction bits, and N·L.
-struct ReliefSurface {
-  TexturePlane plane;
-  LinearFunction light;
-  const TexturedGroup* group;
+/// What a polygon under relief keeps: coordinates in texels of its heights with 16 fraction bits, and N·L as its light.
+struct ReliefSurface : PixelwiseSurface {
   std::int32_t along_s, along_t;  ///< bump: T·L and B·L, 2^14. Emboss: the way to the light, −1 … 1 texels each
   std::int32_t turned;            ///< emboss: what the turn adds, 2^14
   std::int32_t factor;            ///< bump: a difference of heights as a slope, 2^16. Emboss: the turn's cosine, 2^14
@@ -41,13 +38,12 @@ struct ReliefSurface {
 
   /// The light in 65535ths.
   [[nodiscard]] std::uint32_t light_at(std::uint32_t u, std::uint32_t v, std::int32_t facing) const;
-  [[nodiscard]] std::uint16_t pixel(std::uint32_t u, std::uint32_t v, std::uint32_t light_word) const;
+  [[nodiscard]] LitTexel texel(std::uint32_t u, std::uint32_t v, std::uint32_t light_word) const;
 
   [[nodiscard]] static bool serves(const Material& material, bool vertex_colours);
 
   template <class Gradients>
   void make_kind(const ShadingGroup& shading, const PolygonCorners& polygon, const Gradients& gradients) {
-    group = shading.textured;
     const HeightMap& map = *group->pixelwise->relief.heights;
     const auto corners = gradients.corners();
     const auto vertex = [&](unsigned i) { return group->vertices[gradients.index(corners[i])]; };
@@ -57,8 +53,8 @@ struct ReliefSurface {
                       plane);
     set_polygon(shading, polygon.polygon);
   }
-  [[nodiscard]] static std::uint32_t flat_light(const ShadingGroup& shading, Link polygon) {
-    return relief_light::shade(shading, shading.mesh->polygon_normals, polygon);
+  [[nodiscard]] static SurfaceLight flat_light(const ShadingGroup& shading, Link polygon) {
+    return {relief_light::shade(shading, shading.mesh->polygon_normals, polygon), 0};
   }
 
  private:

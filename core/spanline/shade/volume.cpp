@@ -2,8 +2,8 @@
 
 namespace spanline {
 
-TexturePlaneValues VolumeGeometry::set(const std::array<Point, 3>& points, const std::array<std::uint32_t, 3>& nearness,
-                                       unsigned log2_size) {
+TexturePlaneValues VolumeGeometry::set(const std::array<Point, 3>& points,
+                                       const std::array<std::uint32_t, 3>& of_corners, unsigned log2_size) {
   const auto& [a, b, c] = points;
   const auto to_word = [](std::int32_t coordinate) { return word(coordinate) << 12; };
   const auto side = [](std::int32_t to, std::int32_t from) {
@@ -17,7 +17,7 @@ TexturePlaneValues VolumeGeometry::set(const std::array<Point, 3>& points, const
   for (unsigned i = 0; i < 3; ++i) longest = std::max({longest, magnitude(e[i]), magnitude(f[i])});
   const int cells = std::clamp(32 - leading_zeros_32(longest) - 16 + static_cast<int>(log2_size), 0, 8);
   constexpr std::int32_t one = 1 << 20;
-  return texture_plane_values({TextureVertex{nearness[0], 0, 0}, {nearness[1], one, 0}, {nearness[2], 0, one}},
+  return texture_plane_values({TextureVertex{of_corners[0], 0, 0}, {of_corners[1], one, 0}, {of_corners[2], 0, one}},
                               TextureMapping::perspective, {cells, cells, 24 - cells, 24 - cells});
 }
 

@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include "spanline/shade/gouraud.hpp"
-#include "spanline/shade/lit_texel.hpp"
 #include "spanline/shade/pixel_format.hpp"
 #include "spanline/shade/pixelwise_shader.hpp"
 
@@ -22,10 +21,9 @@ struct TableSolid {
 };
 
 /// What a polygon of a solid keeps. A point of it is corner + a·e + b·f, with e and f its sides and (a, b) a pair of
-/// texture coordinates of its own, which are 0 or 1 at the corners and in perspective what they should be between.
-struct VolumeGeometry {
-  TexturePlane plane;                   ///< a and b, 24 fraction bits
-  LinearFunction light;                 ///< 1/65536, 16 guard bits
+/// texture coordinates of its own, 24 fraction bits, which are 0 or 1 at the corners and in perspective what they
+/// should be between.
+struct VolumeGeometry : PixelwiseSurface {
   std::array<std::uint32_t, 3> corner;  ///< s, t and r, 2^-32 cubes
   std::array<std::int32_t, 3> e, f;     ///< 2^-16 cubes
 
@@ -38,18 +36,16 @@ struct VolumeGeometry {
     std::int32_t s, t, r;  ///< 2^-20 cubes
   };
   /// The sides, and the values that fit the plane.
-  [[nodiscard]] TexturePlaneValues set(const std::array<Point, 3>& points, const std::array<std::uint32_t, 3>& nearness,
-                                       unsigned log2_size);
+  [[nodiscard]] TexturePlaneValues set(const std::array<Point, 3>& points,
+                                       const std::array<std::uint32_t, 3>& of_corners, unsigned log2_size);
 };
 
 /// A surface of a solid that `Solid` knows, flat or smooth.
 template <class Solid>
 struct VolumeSurface : VolumeGeometry {
-  const Volume* volume;
-
-  [[nodiscard]] std::uint16_t pixel(std::uint32_t a, std::uint32_t b, std::uint32_t light_word) const {
-    return lit_rgb565(Solid::at(*volume, coordinate(0, a, b), coordinate(1, a, b), coordinate(2, a, b)),
-                      light_word >> 16);
+  [[nodiscard]] LitTexel texel(std::uint32_t a, std::uint32_t b, std::uint32_t light_word) const {
+    return {Solid::at(group->pixelwise->volume, coordinate(0, a, b), coordinate(1, a, b), coordinate(2, a, b)),
+            light_word >> 16};
   }
 
   [[nodiscard]] static bool serves(const Material& material, bool vertex_colours) {
@@ -57,23 +53,24 @@ struct VolumeSurface : VolumeGeometry {
   }
 
   template <class Gradients>
-  void make_kind(const ShadingGroup& group, const PolygonCorners&, const Gradients& gradients) {
-    const TexturedGroup& textured = *group.textured;
-    volume = &textured.pixelwise->volume;
+  void make_kind(const ShadingGroup& shading, const PolygonCorners&, const Gradients& gradients) {
+    const TexturedGroup& textured = *shading.textured;
+    const Volume& volume = textured.pixelwise->volume;
     const auto corners = gradients.corners();
     std::array<Point, 3> points{};
-    std::array<std::uint32_t, 3> nearness{};
+    std::array<std::uint32_t, 3> of_corners{};
     for (unsigned i = 0; i < 3; ++i) {
       const std::size_t index = gradients.index(corners[i]);
       const TextureVertex& vertex = textured.vertices[index];
       points[i] = {vertex.s, vertex.t, textured.pixelwise->third_coordinates[index]};
-      nearness[i] = vertex.nearness;
+      of_corners[i] = vertex.nearness;
     }
-    const unsigned log2_size = volume->texture != nullptr ? volume->texture->log2_size : VolumeTexture::max_log2_size;
-    fit_texture_plane(gradients, set(points, nearness, log2_size), plane);
+    const unsigned log2_size = volume.texture != nullptr ? volume.texture->log2_size : VolumeTexture::max_log2_size;
+    fit_texture_plane(gradients, set(points, of_corners, log2_size), plane);
   }
-  [[nodiscard]] static std::uint32_t flat_light(const ShadingGroup& group, Link polygon) {
-    return group.polygon_intensity(polygon);
+  [[nodiscard]] static SurfaceLight flat_light(const ShadingGroup& shading, Link polygon) {
+    const LocalLighting* local = shading.textured->local;
+    return local != nullptr ? local->on_polygon(polygon) : SurfaceLight{shading.polygon_intensity(polygon), 0};
   }
 };
 

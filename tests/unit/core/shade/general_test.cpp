@@ -87,20 +87,17 @@ TEST(GeneralShader, FogThickensWithTheDistanceAlongTheAxisOfView) {
   FrameSettings settings = scenes::textured_wall::settings();
   const Material black{.colour = {0, 0, 0}};
   for (const FogCurve curve : {FogCurve::linear, FogCurve::exponential}) {
-    settings.fog = {curve, Q16_16::from_ratio(9, 4), Q16_16::from_int(5), {255, 255, 255}};
+    const WallFog fog(curve);
+    settings.fog = fog.fog;
     for (const auto& picture : {wall<GeneralTraits<>>(black, settings).pixels,
                                 wall<GeneralTraits<Rgb565, Depth24<>>>(black, settings).pixels}) {
       double worst = 0;
       for (int y = 0; y < 240; ++y)
         for (int x = 0; x < 320; ++x) {
-          const double part = std::clamp((wall_distance(x) - 2.25) / 2.75, 0.0, 1.0);
-          const double share = curve == FogCurve::linear ? part : (1 - std::exp2(-6 * part)) * 64 / 63;
-          const double off = std::abs(Channels(picture[static_cast<std::size_t>(y * 320 + x)]).green / 63.0 - share);
-          // An entry of the table is a 64th of the distance, half of it to either side.
-          const double slope = curve == FogCurve::linear ? 1 / 2.75 : std::exp2(-6 * part) * 6 * std::log(2.0) / 2.75;
-          const double allowed = 1.0 / 126 + 0.004 + slope * wall_distance(x) / 60;
-          worst = std::max(worst, off / allowed);
-          ASSERT_LE(off, allowed) << x << ", " << y;
+          const double shown = Channels(picture[static_cast<std::size_t>(y * 320 + x)]).green / 63.0;
+          const double off = std::abs(shown - fog.share(x));
+          worst = std::max(worst, off / fog.allowed(x));
+          ASSERT_LE(off, fog.allowed(x)) << x << ", " << y;
         }
       std::printf("fog is off by at most %.2f of what is allowed\n", worst);
     }
@@ -114,17 +111,7 @@ TEST(GeneralShader, TheMeanOfTheDitherIsTheColour) {
   for (int i = 0; i < rounds(30); ++i) {
     const Rgb888 colour = random_colour(random);
     const auto picture = wall<GeneralTraits<>>({.colour = colour}, settings);
-    double red = 0, green = 0, blue = 0;
-    for (int y = 100; y < 104; ++y)
-      for (int x = 60; x < 64; ++x) {
-        const Channels shown(picture.pixels[picture.at(x, y)]);
-        red += shown.red / 31.0;
-        green += shown.green / 63.0;
-        blue += shown.blue / 31.0;
-      }
-    EXPECT_NEAR(red / 16, colour.red / 255.0, 0.0025);
-    EXPECT_NEAR(green / 16, colour.green / 255.0, 0.0025);
-    EXPECT_NEAR(blue / 16, colour.blue / 255.0, 0.0025);
+    expect_mean_of_dither(picture, colour);
   }
 }
 
@@ -195,10 +182,7 @@ TEST(GeneralShader, BandsAndSpansDrawTheSameBytes) {
     FrameSettings settings;
     settings.camera = instance.view.camera;
     settings.cull = Cull::none;
-    settings.dither = random.chance(2);
-    if (random.chance(2))
-      settings.fog = {FogCurve::exponential, settings.camera.near_plane, settings.camera.far_plane,
-                      random_colour(random)};
+    add_effects(random, settings);
     Material material{.colour = random_colour(random)};
     if (random.chance(2)) material.shading = ShadingMode::gouraud;
     if (!random.chance(4)) material.texturing.texture = &own.texture;

@@ -174,6 +174,7 @@ TEST(Relief, BandsAndSpansDrawTheSameBytesWithTextureOrWithout) {
     settings.camera = instance.view.camera;
     settings.cull = Cull::none;
     settings.lighting = lights.lighting();
+    add_effects(random, settings);
     Material material{random_colour(random), random.chance(2) ? ShadingMode::flat : ShadingMode::gouraud};
     material.relief = {&heights.map, random.chance(2) ? ReliefKind::bump : ReliefKind::emboss};
     if (random.chance(2)) material.texturing.texture = &scenes::textured_wall::texture;
@@ -195,14 +196,12 @@ TEST(Relief, WhatItCannotDrawIsRefused) {
     return studio.status().fault;
   };
   const FrameSettings plain = scenes::textured_wall::settings();
-  FrameSettings dithered = plain;
-  dithered.dither = true;
   Material material{};
   material.relief.heights = &heights.map;
   EXPECT_EQ(status(material, plain, static_cast<ReliefTraits<>*>(nullptr)), Fault::none);
   EXPECT_EQ(status(material, plain, static_cast<FullTraits<>*>(nullptr)), Fault::shader_missing);
   EXPECT_EQ(status(material, plain, static_cast<TextureTraits<>*>(nullptr)), Fault::shader_missing);
-  EXPECT_EQ(status(material, dithered, static_cast<GeneralTraits<>*>(nullptr)), Fault::shader_missing);
+  EXPECT_EQ(status(material, plain, static_cast<GeneralTraits<>*>(nullptr)), Fault::none);
   material.specular = {9, 9, 9};
   EXPECT_EQ(status(material, plain, static_cast<GeneralTraits<>*>(nullptr)), Fault::shader_missing);
 }

@@ -107,4 +107,12 @@ struct RandomLights {
   return {channel(), channel(), channel()};
 }
 
+/// Dither or none, fog or none.
+inline void add_effects(Random& random, FrameSettings& settings) {
+  settings.dither = random.chance(2);
+  if (random.chance(2))
+    settings.fog = {FogCurve::exponential, settings.camera.near_plane, settings.camera.far_plane,
+                    random_colour(random)};
+}
+
 }  // namespace spanline::test

@@ -191,6 +191,7 @@ TEST(Volume, BandsAndSpansDrawTheSameBytesOfATable) {
     settings.camera = instance.view.camera;
     settings.cull = Cull::none;
     settings.lighting = lights.lighting();
+    add_effects(random, settings);
     Material material{random_colour(random), random.chance(2) ? ShadingMode::flat : ShadingMode::gouraud};
     material.volume.source = SolidSource::table;
     material.volume.texture = &table;

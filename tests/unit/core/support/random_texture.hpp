@@ -1,8 +1,7 @@
 #pragma once
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cstdint>
+#include <stdexcept>
 #include <vector>
 
 #include "spanline/model/texture.hpp"
@@ -33,7 +32,7 @@ struct OwnTexture {
     texture.words = words;
     texture.bytes = bytes;
     texture.palette = palette;
-    EXPECT_EQ(validate(texture), TextureFault::none);
+    if (validate(texture) != TextureFault::none) throw std::logic_error("a texture that is not valid");
   }
 };
 

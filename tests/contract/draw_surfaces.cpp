@@ -1,0 +1,28 @@
+#include "draw_surfaces.hpp"
+
+#include "draw_with.hpp"
+#include "registry/visibility_list.hpp"
+
+namespace spanline::contract {
+namespace {
+
+template <class Visibility>
+Drawing draw_by(const Scene& scene, const Manner& manner) {
+  return draw_with<GeneralSeeThroughTraits<Rgb565, Depth24<>, false, Visibility>>(scene, manner);
+}
+
+}  // namespace
+
+Drawing draw_surfaces(const sim::VisibilityEntry& algorithm, const Scene& scene, const Manner& manner) {
+  Manner own = manner;
+  if (algorithm.full_frame) own.band_lines = 0;
+  return sim::with_visibility(algorithm, [&]<class Visibility>() { return draw_by<Visibility>(scene, own); });
+}
+
+Drawing reference_of_surfaces(const Scene& scene, Manner manner) {
+  manner.band_lines = 0;
+  manner.active.reset();
+  return draw_by<ZBuffer>(scene, manner);
+}
+
+}  // namespace spanline::contract
