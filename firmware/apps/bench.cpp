@@ -7,6 +7,7 @@
 #include "scenes/model_view.hpp"
 #include "scenes/screen_soups.hpp"
 #include "scenes/textured_wall.hpp"
+#include "scenes/wall_surfaces.hpp"
 
 namespace {
 
@@ -140,6 +141,22 @@ void hidden_walls() {
       });
 }
 
+/// What surfaces cost, flat lit, by the renderer that has every opaque shader.
+void surfaces(unsigned band) {
+  namespace wall = scenes::textured_wall;
+  for (const auto& surface : scenes::wall_surfaces::all) {
+    FrameSettings settings = wall::fogged_settings();
+    if (!surface.fog) settings.fog = {};
+    settings.dither = surface.dither;
+    measure<GeneralTraits<>>(surface.name, {.vertices = 4, .textures = 4, .polygons = 2, .active = 2}, band,
+                             [&](auto& renderer) {
+                               (void)renderer.begin(settings);
+                               if (!renderer.add(scenes::wall_surfaces::mesh, {}, surface.material).ok())
+                                 board::write("bench: not drawn\n");
+                             });
+  }
+}
+
 /// Where an item buffer pays, and where it does not.
 void deferred() {
   using Later = Deferred<64>;
@@ -169,5 +186,6 @@ int main() {
   foggy_wall<Depth24<>, Spanning>(16);
   layers(16);
   deferred();
+  surfaces(16);
   return 0;
 }

@@ -67,11 +67,13 @@ using GeneralSeeThroughTraits = RendererTraits<
     ShaderList<FlatShader<Format>, GouraudShader<Format>, GouraudColourShader<Format>,
                RepeatedTextureShader<Format, TexelFormat::rgb565, NoTexelLight>,
                RepeatedTextureShader<Format, TexelFormat::rgb565, FlatTexelLight>,
-               RepeatedTextureShader<Format, TexelFormat::rgb565, GouraudTexelLight>, GeneralShader<Format>,
-               LocalFlatShader<Format>, ReliefShader<Format>, VolumeShader<Format>,
-               SeeThroughShader<Format, FlatShader<Format>>, SeeThroughShader<Format, GouraudShader<Format>>,
-               SeeThroughShader<Format, GouraudColourShader<Format>>, SeeThroughShader<Format, ReliefShader<Format>>,
-               SeeThroughShader<Format, VolumeShader<Format>>, SeeThroughShader<Format, TranslucentShader<Format>>>,
+               RepeatedTextureShader<Format, TexelFormat::rgb565, GouraudTexelLight>,
+               BilinearTextureShader<Format, NoTexelLight>, BilinearTextureShader<Format, FlatTexelLight>,
+               BilinearTextureShader<Format, GouraudTexelLight>, GeneralShader<Format>, LocalFlatShader<Format>,
+               ReliefShader<Format>, VolumeShader<Format>, SeeThroughShader<Format, FlatShader<Format>>,
+               SeeThroughShader<Format, GouraudShader<Format>>, SeeThroughShader<Format, GouraudColourShader<Format>>,
+               SeeThroughShader<Format, ReliefShader<Format>>, SeeThroughShader<Format, VolumeShader<Format>>,
+               SeeThroughShader<Format, TranslucentShader<Format>>>,
     Statistics, Visibility>;
 
 /// Draws polygon numbers instead of colours.
@@ -108,8 +110,10 @@ using GeneralTraits = RendererTraits<
     ShaderList<FlatShader<Format>, GouraudShader<Format>, GouraudColourShader<Format>,
                RepeatedTextureShader<Format, TexelFormat::rgb565, NoTexelLight>,
                RepeatedTextureShader<Format, TexelFormat::rgb565, FlatTexelLight>,
-               RepeatedTextureShader<Format, TexelFormat::rgb565, GouraudTexelLight>, GeneralShader<Format>,
-               LocalFlatShader<Format>, ReliefShader<Format>, VolumeShader<Format>>,
+               RepeatedTextureShader<Format, TexelFormat::rgb565, GouraudTexelLight>,
+               BilinearTextureShader<Format, NoTexelLight>, BilinearTextureShader<Format, FlatTexelLight>,
+               BilinearTextureShader<Format, GouraudTexelLight>, GeneralShader<Format>, LocalFlatShader<Format>,
+               ReliefShader<Format>, VolumeShader<Format>>,
     Statistics, Visibility>;
 
 /// The shader that makes the colours of one that is seen through; others themselves.

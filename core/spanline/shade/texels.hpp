@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "spanline/model/texture.hpp"
+#include "spanline/model/material.hpp"
 #include "spanline/shade/pixel_format.hpp"
 
 namespace spanline {
@@ -27,6 +27,7 @@ struct TexelLevel {
 /// lines of the table, 12 + log2 of the width.
 template <TexelFormat Format>
 struct RepeatedTexels {
+  static constexpr TextureFilter filter = TextureFilter::nearest;
   static constexpr bool has_holes = Format == TexelFormat::rgb565_cutout;
   static constexpr int fraction_u = 16;
   [[nodiscard]] static constexpr int fraction_v(unsigned log2_width) { return 12 + static_cast<int>(log2_width); }

@@ -5,6 +5,7 @@
 
 #include "spanline/raster/linear_function.hpp"
 #include "spanline/raster/span.hpp"
+#include "spanline/shade/bilinear_texels.hpp"
 #include "spanline/shade/fill_run.hpp"
 #include "spanline/shade/shading_group.hpp"
 #include "spanline/shade/spread_565.hpp"
@@ -172,7 +173,8 @@ struct TextureShader {
   struct Surface {
     /// Pixels are texels as they are.
     static constexpr bool plain_texels = std::is_same_v<Light, NoTexelLight> && !Texels::has_holes &&
-                                         !Texels::in_bytes && Format::from_rgb565(0x1234) == 0x1234;
+                                         !Texels::in_bytes && Texels::filter == TextureFilter::nearest &&
+                                         Format::from_rgb565(0x1234) == 0x1234;
     TexturePlane plane;
     Light light;
     Texels texels;
@@ -203,7 +205,7 @@ struct TextureShader {
 
   [[nodiscard]] static bool serves(const Material& material, bool vertex_colours) {
     const Texturing& texturing = material.texturing;
-    return texturing.texture != nullptr && texturing.filter == TextureFilter::nearest &&
+    return texturing.texture != nullptr && texturing.filter == Texels::filter &&
            texturing.mip_mapping == MipMapping::none && Texels::serves(*texturing.texture) && Light::serves(material) &&
            !(vertex_colours && material.texturing.function != TextureFunction::replace);
   }
@@ -228,5 +230,8 @@ struct TextureShader {
 /// The fast shaders for one way to read a texture.
 template <class Format, TexelFormat Texels, class Light>
 using RepeatedTextureShader = TextureShader<Format, RepeatedTexels<Texels>, Light>;
+/// The same for bilinear filtering of RGB565.
+template <class Format, class Light>
+using BilinearTextureShader = TextureShader<Format, BilinearTexels, Light>;
 
 }  // namespace spanline

@@ -57,32 +57,6 @@ TEST(GeneralShader, EveryFormatShowsItsTexelsRepeatedOrClamped) {
     }
 }
 
-TEST(GeneralShader, BilinearPixelsAreTheMeanOfFourTexels) {
-  Random random(43);
-  const OwnTexture own(random, TexelFormat::rgb565, 3, 3);
-  const Material material{
-      .texturing = {.texture = &own.texture, .function = TextureFunction::replace, .filter = TextureFilter::bilinear}};
-  const auto picture = wall<GeneralTraits<>>(material, scenes::textured_wall::settings());
-  for (int y = 0; y < 240; ++y)
-    for (int x = 0; x < 320; ++x) {
-      const auto [s, t] = wall_point(x, y);
-      const double u = s * 8 - 0.5, v = t * 8 - 0.5, right = u - std::floor(u), down = v - std::floor(v);
-      double red = 0, green = 0;
-      for (int i = 0; i < 4; ++i) {
-        const auto column = static_cast<std::uint32_t>(static_cast<int>(std::floor(u)) + i % 2) & 7,
-                   row = static_cast<std::uint32_t>(static_cast<int>(std::floor(v)) + i / 2) & 7;
-        const Channels texel(read_texel(own.texture, column, row).rgb565);
-        const double weight = (i % 2 ? right : 1 - right) * (i / 2 ? down : 1 - down);
-        red += texel.red * weight;
-        green += texel.green * weight;
-      }
-      const Channels shown(picture.pixels[picture.at(x, y)]);
-      // Half a step of the pixel, a hundredth of a texel, and the rounding of weights and channels.
-      ASSERT_LE(std::abs(shown.red - red), 0.5 + 0.7) << x << ", " << y;
-      ASSERT_LE(std::abs(shown.green - green), 0.5 + 1.2) << x << ", " << y;
-    }
-}
-
 TEST(GeneralShader, FogThickensWithTheDistanceAlongTheAxisOfView) {
   FrameSettings settings = scenes::textured_wall::settings();
   const Material black{.colour = {0, 0, 0}};
