@@ -8,6 +8,7 @@
 #include "base/output_file.hpp"
 #include "commands/commands.hpp"
 #include "commands/displacement_options.hpp"
+#include "commands/highlight_options.hpp"
 #include "convert/flash_mesh.hpp"
 #include "convert/header_writer.hpp"
 #include "convert/memory_report.hpp"
@@ -37,6 +38,7 @@ class ConvertCommand final : public Command {
     app.add_flag("--resize", resize_, "makes the image's sides powers of two that a texture may have");
     app.add_option("--wrap", wrap_, "beyond the texture's edge: repeat (default) or clamp")->type_name("repeat|clamp");
     add_displacement_options(app, displacement_, "Displacement");
+    add_highlight_options(app, highlights_, "Highlights, with --materials");
     app.add_flag("--bsp", bsp_, "with a BSP tree (not available yet)");
     app.add_option("--simplify", simplify_, "to at most N triangles (not available yet)")->type_name("N");
   }
@@ -48,11 +50,13 @@ class ConvertCommand final : public Command {
     if (output_.empty()) throw UsageError("-o: the name is empty");
     if (same_file(output_, model_)) throw UsageError("-o names the model itself");
     const std::optional<DisplacementArguments> displacement = parse_displacement(displacement_);
+    const std::optional<Highlights> highlights = parse_highlights(highlights_);
+    if (highlights && !materials_) throw UsageError("--specular and --shininess go with --materials");
     if (is_image_name(model_)) {
       if (displacement) throw UsageError("--displace goes with a model");
       return convert_image();
     }
-    if (materials_) return convert_parts(displacement);
+    if (materials_) return convert_parts(displacement, highlights);
     if (format_ || mip_map_ || resize_ || wrap_)
       throw UsageError("--format, --mipmap, --resize and --wrap go with an image or --materials");
     OutputFile file(output_);
@@ -83,13 +87,15 @@ class ConvertCommand final : public Command {
     std::fputs(texture_report(texture).c_str(), stdout);
   }
 
-  void convert_parts(const std::optional<DisplacementArguments>& displacement) const {
+  void convert_parts(const std::optional<DisplacementArguments>& displacement,
+                     const std::optional<Highlights>& highlights) const {
     const TextureOptions options = texture_options();
     const std::optional<Wrap> wrap = wrap_ ? std::optional(parse_wrap("--wrap", *wrap_)) : std::nullopt;
     OutputFile file(output_);
     Scene scene = import_model(model_);
     if (displacement) scene = displaced(scene, model_, *displacement);
     if (wrap) set_wrap(scene, *wrap);
+    if (highlights) set_highlights(scene, *highlights);
     complete_vertex_normals(scene);
     FlashParts parts;
     try {
@@ -142,6 +148,7 @@ class ConvertCommand final : public Command {
 
   std::string model_, output_;
   DisplacementTexts displacement_;
+  HighlightTexts highlights_;
   std::optional<std::string> name_, simplify_, format_, wrap_;
   bool bsp_ = false, textured_ = false, materials_ = false, mip_map_ = false, resize_ = false;
 };

@@ -80,8 +80,7 @@ void add_drawing_options(CLI::App& command, RenderTexts& texts) {
       ->expected(1)
       ->take_all()
       ->group(group);
-  command.add_option("--specular", texts.specular, "white highlights (0)")->type_name("0..1")->group(group);
-  command.add_option("--shininess", texts.shininess, "how small they are (32)")->type_name("1..128")->group(group);
+  add_highlight_options(command, texts.highlights, group);
   command.add_option("--ambient", texts.ambient, "ambient light")->type_name("0..1")->group(group);
   command.add_option("--background", texts.background, "colour (000000)")->type_name("RRGGBB")->group(group);
   command.add_option("--pick", texts.pick, "prints the triangle at a pixel, numbered from 1, and its depth")
@@ -227,7 +226,7 @@ void parse_relief(const RenderTexts& texts, RenderArguments& arguments) {
     throw UsageError("--bump-depth: must lie above 0 and at most at 64");
   if (!arguments.heights) return;
   refuse_texturing(texts, "--bump or --emboss");
-  if (texts.specular || !texts.point_lights.empty())
+  if (texts.highlights.specular || !texts.point_lights.empty())
     throw NotAvailable("--specular and --point-light with --bump or --emboss");
 }
 
@@ -275,12 +274,7 @@ void parse_surface_light(const RenderTexts& texts, RenderArguments& arguments) {
   if (texts.point_lights.size() > Lighting::max_lights)
     throw UsageError("--point-light: at most " + std::to_string(Lighting::max_lights) + " lights");
   for (const std::string& light : texts.point_lights) arguments.point_lights.push_back(parse_point_light(light));
-  arguments.specular = optional_number("--specular", texts.specular).value_or(0);
-  if (arguments.specular < 0 || arguments.specular > 1) throw UsageError("--specular: must lie between 0 and 1");
-  if (texts.shininess) {
-    if (!texts.specular) throw UsageError("--shininess wants highlights (--specular 0..1)");
-    arguments.shininess = parse_integer("--shininess", *texts.shininess, 1, 128);
-  }
+  arguments.highlights = parse_highlights(texts.highlights);
 }
 
 void parse_light(const RenderTexts& texts, RenderArguments& arguments) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "commands/displacement_options.hpp"
+#include "commands/highlight_options.hpp"
 #include "render/render_arguments.hpp"
 
 namespace CLI {
@@ -19,7 +20,7 @@ struct RenderTexts {
   Text size, eye, target, up, field_of_view, near_plane, far_plane, ortho;
   Text visibility, depth, depth_sense, band, cull, shade;
   std::vector<std::string> lights, point_lights;
-  Text specular, shininess;
+  HighlightTexts highlights;
   Text ambient, background, panel;
   Text depth_output, ids_output, statistics_output, turntable;
   // Options of the command line that later versions fill.

@@ -31,18 +31,32 @@ std::string texture_name(const std::string& name, std::size_t number) {
 }
 std::string mesh_name(const std::string& name, std::size_t number) { return name + "_mesh_" + std::to_string(number); }
 
-std::string part_text(const FlashParts& parts, const CoreMesh& mesh, const std::string& name, std::size_t number) {
+std::string colour_text(Rgb888 colour) {
+  return "{" + std::to_string(colour.red) + ", " + std::to_string(colour.green) + ", " + std::to_string(colour.blue) +
+         "}";
+}
+
+/// Without its highlights.
+std::string matte_text(const FlashParts& parts, const CoreMesh& mesh, const std::string& name, std::size_t number) {
   const Scene::Part& part = parts.parts[mesh.part];
   const PartTexture& texture = parts.textures.of_part[mesh.part];
-  std::string text = "    spanline::model_part(" + mesh_name(name, number) + ", {" + std::to_string(part.colour.red) +
-                     ", " + std::to_string(part.colour.green) + ", " + std::to_string(part.colour.blue) +
-                     "}, spanline::ShadingMode::" + (parts.smooth ? "gouraud" : "flat");
-  if (part.opacity == 255 && texture.image == PartTexture::none) return text + "),\n";
+  std::string text = "spanline::model_part(" + mesh_name(name, number) + ", " + colour_text(part.colour) +
+                     ", spanline::ShadingMode::" + (parts.smooth ? "gouraud" : "flat");
+  if (part.opacity == 255 && texture.image == PartTexture::none) return text + ")";
   text += ", " + std::to_string(part.opacity);
   if (texture.image != PartTexture::none)
     text += ", &" + texture_name(name, texture.image) +
             ", spanline::TexelAlpha::" + (texture.alpha == TexelAlpha::blend ? "blend" : "cut_out");
-  return text + "),\n";
+  return text + ")";
+}
+
+std::string part_text(const FlashParts& parts, const CoreMesh& mesh, const std::string& name, std::size_t number) {
+  const Highlights& highlights = parts.parts[mesh.part].highlights;
+  std::string text = matte_text(parts, mesh, name, number);
+  if (highlights.shines())
+    text = "spanline::shining(" + text + ", " + colour_text(highlights.specular) + ", " +
+           std::to_string(highlights.shininess) + ")";
+  return "    " + text + ",\n";
 }
 
 }  // namespace

@@ -1,10 +1,12 @@
 #include "import/materials.hpp"
 
+#include <assimp/ObjMaterial.h>
 #include <assimp/material.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <string_view>
 
@@ -24,6 +26,22 @@ std::optional<ColourFactor> diffuse_colour(const aiMaterial& material) {
   if (material.Get(AI_MATKEY_COLOR_DIFFUSE, colour) != aiReturn_SUCCESS || made_up(material, colour))
     return std::nullopt;
   return ColourFactor{static_cast<double>(colour.r), static_cast<double>(colour.g), static_cast<double>(colour.b)};
+}
+
+/// Highlights of MTL, where its illumination model has them (Wavefront, "MTL material format": 2 to 9). Only there is
+/// an exponent of this kind: glTF's roughness is none. Without one the importer says 0, which is no highlight.
+Highlights highlights_of(const aiMaterial& material) {
+  int model = 0;
+  aiColor3D colour;
+  ai_real exponent = 0;
+  if (material.Get(AI_MATKEY_OBJ_ILLUM, model) != aiReturn_SUCCESS || model < 2 || model > 9 ||
+      material.Get(AI_MATKEY_COLOR_SPECULAR, colour) != aiReturn_SUCCESS ||
+      material.Get(AI_MATKEY_SHININESS, exponent) != aiReturn_SUCCESS || !(exponent > 0))
+    return {};
+  const ColourFactor factor{static_cast<double>(colour.r), static_cast<double>(colour.g),
+                            static_cast<double>(colour.b)};
+  return {factor.rounded(),
+          static_cast<std::uint8_t>(std::lround(std::clamp(static_cast<double>(exponent), 1.0, 128.0)))};
 }
 
 /// glTF's alphaMode (glTF 2.0, 3.9.4, "Alpha Coverage"); formats without one take alpha as it is.
@@ -123,6 +141,7 @@ FileMaterial read_material(const aiScene& file, unsigned index, const std::strin
   if (index >= file.mNumMaterials) return result;
   const aiMaterial& material = *file.mMaterials[index];
   result.colour = diffuse_colour(material);
+  result.highlights = highlights_of(material);
   result.alpha = alpha_use(material);
   read_opacity(material, result);
   read_texture(file, material, path, result);

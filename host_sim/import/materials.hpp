@@ -26,6 +26,7 @@ struct ColourFactor {
 /// What a file's material says of a surface.
 struct FileMaterial {
   std::optional<ColourFactor> colour;  ///< the diffuse colour, where it is the file's own
+  Highlights highlights;
   std::uint32_t opacity = 255;
   AlphaUse alpha = AlphaUse::by_image;
   std::uint8_t cut_off = 128;   ///< least alpha of texels that are there

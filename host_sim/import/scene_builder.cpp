@@ -95,6 +95,7 @@ class SceneBuilder {
     part.first = static_cast<std::uint32_t>(scene_.triangles.size());
     part.opacity = material.opacity;
     part.colour = colour.rounded();
+    part.highlights = material.highlights;
     part.alpha = material.alpha;
     part.cut_off = material.cut_off;
     part.wrap_s = material.wrap_s;

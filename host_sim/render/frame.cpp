@@ -185,13 +185,12 @@ class FrameDrawing {
     material.transparency = request.transparency;
     material.relief = request.relief;
     material.volume = request.volume;
-    const auto shine = static_cast<std::uint8_t>(std::lround(request.specular * 255));
-    material.specular = {shine, shine, shine};
-    material.shininess = static_cast<std::uint8_t>(request.shininess);
     for (const CoreMesh& mesh : meshes) {
       const FrameTexture texture = texture_of(mesh);
       material.colour = mesh.colour;
       material.opacity = mesh.opacity;
+      material.specular = mesh.highlights.specular;
+      material.shininess = mesh.highlights.shininess;
       material.texturing.texture = texture.texture;
       material.texturing.alpha = texture.alpha;
       materials_.push_back(material);
@@ -227,8 +226,10 @@ class FrameDrawing {
           return !mesh.vertex_opacities.empty() || (texture != nullptr && texture->has_alpha());
         }))
       throw NotAvailable("--bump, --emboss and --solid on vertices or textures with opacities");
-    if ((request_.specular > 0 || !request_.light.points.empty()) &&
-        any([](const CoreMesh& mesh) { return !mesh.vertex_opacities.empty(); }))
+    if (any([this](const CoreMesh& mesh) {
+          const bool local = mesh.highlights.shines() || !request_.light.points.empty();
+          return local && !mesh.vertex_opacities.empty();
+        }))
       throw NotAvailable("--specular and --point-light on vertices with opacities");
   }
   [[nodiscard]] FrameTexture texture_of(const CoreMesh& mesh) const {

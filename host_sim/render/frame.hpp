@@ -39,9 +39,7 @@ struct FrameRequest {
   Fog fog;
   bool dither = false;
   Camera camera;
-  SceneLight light;     ///< point lights in the core's world
-  double specular = 0;  ///< white highlights, [0, 1]
-  int shininess = 32;
+  SceneLight light;  ///< point lights in the core's world
   Rgb888 background;
   Transparency transparency = Transparency::blend;  ///< of all that is not opaque
   int samples = 1;                                  ///< a pixel: 1, 4, 8 or 16

@@ -9,6 +9,7 @@
 #include "registry/registry.hpp"
 #include "render/displacement_arguments.hpp"
 #include "scene/lighting.hpp"
+#include "scene/scene.hpp"
 #include "scene/view.hpp"
 #include "scene/world.hpp"
 #include "spanline/frame/renderer.hpp"
@@ -41,8 +42,7 @@ struct RenderArguments {
   std::vector<Vector3> lights;
   std::vector<ScenePointLight> point_lights;
   std::optional<double> ambient;
-  double specular = 0;  ///< white highlights
-  int shininess = 32;
+  std::optional<Highlights> highlights;  ///< by what the model says where they are not given
   Rgb888 background{0, 0, 0};
   double opacity = 1;  ///< multiplies the model's own
   Transparency transparency = Transparency::blend;

@@ -25,6 +25,8 @@ Scene prepared_for(Scene scene, const ShadingEntry& shading, bool pixel_by_pixel
   } else {
     scene.texture_points.clear();
   }
+  if (!shading.lit)
+    for (Scene::Part& part : scene.parts) part.highlights = {};
   if (shading.lit && shading.smooth)
     complete_vertex_normals(scene);
   else
@@ -75,10 +77,6 @@ FrameRequest make_request(const RenderArguments& arguments, const ShadingEntry& 
   if (arguments.fog) request.fog = to_fog(*arguments.fog, view, world);
   request.camera = to_camera(view, world, arguments.size);
   request.light = shading.lit ? in_world(light, world) : SceneLight{};
-  if (shading.lit) {
-    request.specular = arguments.specular;
-    request.shininess = arguments.shininess;
-  }
   request.background = arguments.background;
   request.transparency = arguments.transparency;
   request.samples = arguments.samples;

@@ -23,6 +23,8 @@ Studio::Studio(const RenderArguments& arguments) : arguments_(arguments), scene_
     heights_ = read_heights(*arguments.heights);
     height_map_ = heights_.view();
   }
+  if (arguments.highlights) set_highlights(scene_, *arguments.highlights);
+  if (arguments.heights) set_highlights(scene_, {});  // the file's own: reliefs have none
   fade(scene_, arguments.opacity);
   scene_ = prepared_for(std::move(scene_), *shading_, arguments.heights || arguments.solid);
   view_ = resolve_view(arguments.view, scene_, arguments.size, arguments.turntable_frames > 0);

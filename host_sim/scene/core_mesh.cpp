@@ -22,7 +22,7 @@ class MeshCutter {
   }
 
   std::vector<CoreMesh> cut() {
-    const bool by_parts = is_see_through(scene_) || textured();
+    const bool by_parts = is_see_through(scene_) || textured() || has_different_highlights(scene_);
     auto part = scene_.parts.begin();
     for (std::size_t i = 0; i < scene_.triangles.size(); ++i) {
       const bool part_begins = by_parts && part != scene_.parts.end() && part->first == i;
@@ -81,6 +81,7 @@ class MeshCutter {
     if (!scene_.parts.empty()) {
       const Scene::Part& part = scene_.parts[part_];
       mesh_.opacity = static_cast<std::uint8_t>(part.opacity);
+      mesh_.highlights = part.highlights;
       if (textured()) mesh_.colour = part.colour;
     }
     meshes_.push_back(std::move(mesh_));

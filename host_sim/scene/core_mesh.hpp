@@ -19,6 +19,7 @@ struct CoreMesh {
   int texture_exponent = -14;
   Rgb888 colour{};  ///< for the material, where there are no tables of colours
   std::uint8_t opacity = 255;
+  Highlights highlights;
   std::size_t part = 0;  ///< of the scene
   Vec3<std::int32_t> offset{};
   int step_exponent = 0;
@@ -28,8 +29,8 @@ struct CoreMesh {
 };
 
 /// The scene in the wide vertex form, steps of 2^−16 of a world unit, cut into meshes within Mesh's limits. Triangles
-/// stay in file order. Tables that the scene does not have stay empty. Where anything is seen through, every part of
-/// the scene has meshes of its own.
+/// stay in file order. Tables that the scene does not have stay empty. Where anything is seen through or
+/// textured, or highlights differ, every part of the scene has meshes of its own.
 ///
 /// All meshes state the bounds of the whole scene: the core chooses its exponents by them, and vertices that two meshes
 /// share must go to the same place on the screen.

@@ -50,6 +50,16 @@ bool is_textured(const Scene& scene) {
   });
 }
 
+bool has_different_highlights(const Scene& scene) {
+  return std::any_of(scene.parts.begin(), scene.parts.end(),
+                     [&](const Scene::Part& part) { return part.highlights != scene.parts[0].highlights; });
+}
+
+void set_highlights(Scene& scene, const Highlights& highlights) {
+  if (scene.parts.empty()) scene.parts.emplace_back();
+  for (Scene::Part& part : scene.parts) part.highlights = highlights;
+}
+
 void fade(Scene& scene, double opacity) {
   if (scene.parts.empty()) scene.parts.emplace_back();
   for (Scene::Part& part : scene.parts) part.opacity = static_cast<std::uint32_t>(part.opacity * opacity + 0.5);

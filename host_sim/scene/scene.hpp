@@ -26,6 +26,14 @@ struct SceneImage {
   friend bool operator==(const SceneImage&, const SceneImage&) = default;
 };
 
+/// What a surface adds where it mirrors a light, as Material's members of these names.
+struct Highlights {
+  Rgb888 specular{0, 0, 0};     ///< black: none
+  std::uint8_t shininess = 32;  ///< [1, 128]
+  [[nodiscard]] bool shines() const { return specular != Rgb888{0, 0, 0}; }
+  friend bool operator==(const Highlights&, const Highlights&) = default;
+};
+
 /// What the alpha of a part's texels is for.
 enum class AlphaUse : std::uint8_t {
   by_image,  ///< images of alphas 0 and 255 alone cut out, others blend
@@ -46,6 +54,7 @@ struct Scene {
     std::uint32_t opacity = 255;     ///< 255ths
     std::uint32_t image = no_image;  ///< number of its texture's image
     Rgb888 colour{};                 ///< of its material, which a texture is multiplied with
+    Highlights highlights{};
     AlphaUse alpha = AlphaUse::by_image;
     std::uint8_t cut_off = 128;  ///< least alpha of texels that are there, where they are cut out
     Wrap wrap_s = Wrap::repeat, wrap_t = Wrap::repeat;
@@ -72,6 +81,12 @@ struct Scene {
 
 /// Whether any part has a texture of its own, and coordinates for it.
 [[nodiscard]] bool is_textured(const Scene& scene);
+
+/// Whether any part has highlights that differ from another's.
+[[nodiscard]] bool has_different_highlights(const Scene& scene);
+
+/// Gives every part the same highlights, whatever the model says.
+void set_highlights(Scene& scene, const Highlights& highlights);
 
 /// Multiplies every part's opacity by a factor in [0, 1].
 void fade(Scene& scene, double opacity);

@@ -27,4 +27,11 @@ struct ModelPart {
   return part;
 }
 
+/// The part with highlights, for renderers with `LocalFlatShader` in their lists.
+[[nodiscard]] constexpr ModelPart shining(ModelPart part, Rgb888 specular, std::uint8_t shininess) {
+  part.material.specular = specular;
+  part.material.shininess = shininess;
+  return part;
+}
+
 }  // namespace spanline

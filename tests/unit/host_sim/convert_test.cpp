@@ -66,6 +66,9 @@ TEST(Convert, PartsHaveMaterialsAndTextures) {
   EXPECT_EQ(parts[1].material.colour, (Rgb888{0, 0, 255}));
   EXPECT_EQ(parts[1].material.opacity, 128);
   EXPECT_EQ(parts[1].material.texturing.texture, nullptr);
+  EXPECT_FALSE(parts[0].material.shines());
+  EXPECT_EQ(parts[1].material.specular, (Rgb888{255, 0, 102}));
+  EXPECT_EQ(parts[1].material.shininess, 60);
   EXPECT_TRUE(parts[1].mesh->texture_coordinates.empty());
 }
 
