@@ -68,12 +68,16 @@ using GeneralSeeThroughTraits = RendererTraits<
                RepeatedTextureShader<Format, TexelFormat::rgb565, NoTexelLight>,
                RepeatedTextureShader<Format, TexelFormat::rgb565, FlatTexelLight>,
                RepeatedTextureShader<Format, TexelFormat::rgb565, GouraudTexelLight>,
-               BilinearTextureShader<Format, NoTexelLight>, BilinearTextureShader<Format, FlatTexelLight>,
-               BilinearTextureShader<Format, GouraudTexelLight>, GeneralShader<Format>, LocalFlatShader<Format>,
-               ReliefShader<Format>, VolumeShader<Format>, SeeThroughShader<Format, FlatShader<Format>>,
-               SeeThroughShader<Format, GouraudShader<Format>>, SeeThroughShader<Format, GouraudColourShader<Format>>,
-               SeeThroughShader<Format, ReliefShader<Format>>, SeeThroughShader<Format, VolumeShader<Format>>,
-               SeeThroughShader<Format, TranslucentShader<Format>>>,
+               LevelTextureShader<Format, TextureFilter::bilinear, NoTexelLight>,
+               LevelTextureShader<Format, TextureFilter::bilinear, FlatTexelLight>,
+               LevelTextureShader<Format, TextureFilter::bilinear, GouraudTexelLight>,
+               LevelTextureShader<Format, TextureFilter::nearest, NoTexelLight>,
+               LevelTextureShader<Format, TextureFilter::nearest, FlatTexelLight>,
+               LevelTextureShader<Format, TextureFilter::nearest, GouraudTexelLight>, GeneralShader<Format>,
+               LocalFlatShader<Format>, ReliefShader<Format>, VolumeShader<Format>,
+               SeeThroughShader<Format, FlatShader<Format>>, SeeThroughShader<Format, GouraudShader<Format>>,
+               SeeThroughShader<Format, GouraudColourShader<Format>>, SeeThroughShader<Format, ReliefShader<Format>>,
+               SeeThroughShader<Format, VolumeShader<Format>>, SeeThroughShader<Format, TranslucentShader<Format>>>,
     Statistics, Visibility>;
 
 /// Draws polygon numbers instead of colours.
@@ -111,9 +115,13 @@ using GeneralTraits = RendererTraits<
                RepeatedTextureShader<Format, TexelFormat::rgb565, NoTexelLight>,
                RepeatedTextureShader<Format, TexelFormat::rgb565, FlatTexelLight>,
                RepeatedTextureShader<Format, TexelFormat::rgb565, GouraudTexelLight>,
-               BilinearTextureShader<Format, NoTexelLight>, BilinearTextureShader<Format, FlatTexelLight>,
-               BilinearTextureShader<Format, GouraudTexelLight>, GeneralShader<Format>, LocalFlatShader<Format>,
-               ReliefShader<Format>, VolumeShader<Format>>,
+               LevelTextureShader<Format, TextureFilter::bilinear, NoTexelLight>,
+               LevelTextureShader<Format, TextureFilter::bilinear, FlatTexelLight>,
+               LevelTextureShader<Format, TextureFilter::bilinear, GouraudTexelLight>,
+               LevelTextureShader<Format, TextureFilter::nearest, NoTexelLight>,
+               LevelTextureShader<Format, TextureFilter::nearest, FlatTexelLight>,
+               LevelTextureShader<Format, TextureFilter::nearest, GouraudTexelLight>, GeneralShader<Format>,
+               LocalFlatShader<Format>, ReliefShader<Format>, VolumeShader<Format>>,
     Statistics, Visibility>;
 
 /// The shader that makes the colours of one that is seen through; others themselves.

@@ -6,30 +6,11 @@
 #include "spanline/raster/linear_function.hpp"
 #include "spanline/raster/span.hpp"
 #include "spanline/shade/frame_effects.hpp"
+#include "spanline/shade/mip_level.hpp"
 #include "spanline/shade/shading_group.hpp"
 #include "spanline/shade/texture_blocks.hpp"
 
 namespace spanline {
-
-/// The density of a texture on a polygon, for the choice of a mip level: texels a pixel each way, as a logarithm to the
-/// base 2 in 256ths. Over a plane in perspective a pixel's area in texels goes with 1/w³.
-struct TexelDensity {
-  std::int32_t of_polygon;  ///< √(texels / pixels) of the whole
-  std::int32_t at_w_of_1;   ///< where the word of w is 1
-
-  /// The nearest level: halves of its sizes go to the larger texture.
-  [[nodiscard]] static unsigned level(std::int32_t density, unsigned levels);
-  /// Density where the word of w is `w`; `otherwise` where that word means nothing.
-  [[nodiscard]] std::int32_t at(std::uint32_t w) const;
-};
-
-/// log2 of a value ≥ 1 in 256ths, good to 3 of them.
-[[nodiscard]] std::int32_t log2_in_256ths(std::uint32_t value);
-
-/// √(texels / pixels) of a triangle: corners on the screen in sixteenths and on the texture.
-[[nodiscard]] TexelDensity texel_density(const std::array<const ScreenVertex*, 3>& screen,
-                                         const std::array<TextureVertex, 3>& corners, const Texture& texture,
-                                         const TexturePlaneValues& values);
 
 /// One level of a texture and how it is read.
 struct TexelSource {

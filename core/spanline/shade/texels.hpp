@@ -28,6 +28,7 @@ struct TexelLevel {
 template <TexelFormat Format>
 struct RepeatedTexels {
   static constexpr TextureFilter filter = TextureFilter::nearest;
+  static constexpr bool has_levels = false;
   static constexpr bool has_holes = Format == TexelFormat::rgb565_cutout;
   static constexpr int fraction_u = 16;
   [[nodiscard]] static constexpr int fraction_v(unsigned log2_width) { return 12 + static_cast<int>(log2_width); }

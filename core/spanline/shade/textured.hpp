@@ -5,8 +5,8 @@
 
 #include "spanline/raster/linear_function.hpp"
 #include "spanline/raster/span.hpp"
-#include "spanline/shade/bilinear_texels.hpp"
 #include "spanline/shade/fill_run.hpp"
+#include "spanline/shade/level_texels.hpp"
 #include "spanline/shade/shading_group.hpp"
 #include "spanline/shade/spread_565.hpp"
 #include "spanline/shade/texels.hpp"
@@ -131,14 +131,20 @@ struct TextureShader {
       light.bend();
     }
     // Blocks that are kept elsewhere; light goes on, and is told of the next one.
-    void next_block() { light.next_block(); }
+    void next_block() {
+      light.next_block();
+      if constexpr (Texels::has_levels) texels.next_block();
+    }
     void bend(const TextureBlock& block) {
       coordinates.bend(block);
       light.bend();
     }
-    void restart(const TextureBlock& block) { coordinates.restart(block); }
-    void restart(const TextureBlock& block, std::uint32_t into) {
+    void restart(const TextureBlock& block) {
       coordinates.restart(block);
+      if constexpr (Texels::has_levels) texels.place(coordinates);
+    }
+    void restart(const TextureBlock& block, std::uint32_t into) {
+      restart(block);
       coordinates.skip(into, block);
     }
   };
@@ -157,6 +163,7 @@ struct TextureShader {
     [[nodiscard]] Source source() const {
       Source source = surface_.source(walk_.column());
       source.coordinates = walk_.coordinates();
+      if constexpr (Texels::has_levels) source.texels.place(source.coordinates);
       return source;
     }
     void next() { walk_.next(rest_of_block()); }
@@ -173,7 +180,7 @@ struct TextureShader {
   struct Surface {
     /// Pixels are texels as they are.
     static constexpr bool plain_texels = std::is_same_v<Light, NoTexelLight> && !Texels::has_holes &&
-                                         !Texels::in_bytes && Texels::filter == TextureFilter::nearest &&
+                                         !Texels::in_bytes && !Texels::has_levels &&
                                          Format::from_rgb565(0x1234) == 0x1234;
     TexturePlane plane;
     Light light;
@@ -199,6 +206,7 @@ struct TextureShader {
       Source source;
       source.light = light.at(column);
       source.texels = texels;
+      if constexpr (Texels::has_levels) source.texels.start(plane, column);
       return source;
     }
   };
@@ -206,8 +214,8 @@ struct TextureShader {
   [[nodiscard]] static bool serves(const Material& material, bool vertex_colours) {
     const Texturing& texturing = material.texturing;
     return texturing.texture != nullptr && texturing.filter == Texels::filter &&
-           texturing.mip_mapping == MipMapping::none && Texels::serves(*texturing.texture) && Light::serves(material) &&
-           !(vertex_colours && material.texturing.function != TextureFunction::replace);
+           (Texels::has_levels || texturing.mip_mapping == MipMapping::none) && Texels::serves(*texturing.texture) &&
+           Light::serves(material) && !(vertex_colours && material.texturing.function != TextureFunction::replace);
   }
 
   template <class Gradients>
@@ -217,12 +225,15 @@ struct TextureShader {
     const Texture& texture = *texturing.texture;
     const auto corners = gradients.corners();
     const auto vertex = [&](unsigned i) { return group.textured->vertices[gradients.index(corners[i])]; };
-    fit_texture_plane(gradients,
-                      texture_plane_values({vertex(0), vertex(1), vertex(2)}, texturing.mapping,
-                                           {texture.log2_width, texture.log2_height, Texels::fraction_u,
-                                            Texels::fraction_v(texture.log2_width)}),
-                      surface.plane);
-    surface.texels = Texels::of(TexelLevel::of(texture, 0));
+    const std::array<TextureVertex, 3> vertices{vertex(0), vertex(1), vertex(2)};
+    const TexturePlaneValues values = texture_plane_values(
+        vertices, texturing.mapping,
+        {texture.log2_width, texture.log2_height, Texels::fraction_u, Texels::fraction_v(texture.log2_width)});
+    fit_texture_plane(gradients, values, surface.plane);
+    if constexpr (Texels::has_levels)
+      surface.texels = Texels::of(texturing, texel_density(corners, vertices, texture, values));
+    else
+      surface.texels = Texels::of(TexelLevel::of(texture, 0));
     surface.light.make(group, polygon, gradients);
   }
 };
@@ -230,8 +241,8 @@ struct TextureShader {
 /// The fast shaders for one way to read a texture.
 template <class Format, TexelFormat Texels, class Light>
 using RepeatedTextureShader = TextureShader<Format, RepeatedTexels<Texels>, Light>;
-/// The same for bilinear filtering of RGB565.
-template <class Format, class Light>
-using BilinearTextureShader = TextureShader<Format, BilinearTexels, Light>;
+/// The same for RGB565 with mip maps or without, nearest or bilinear.
+template <class Format, TextureFilter Filter, class Light>
+using LevelTextureShader = TextureShader<Format, LevelTexels<Filter>, Light>;
 
 }  // namespace spanline

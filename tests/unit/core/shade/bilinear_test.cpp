@@ -1,4 +1,4 @@
-// Bilinear filtering by the shaders for everything and by the fast ones, against the mean of four texels.
+// Bilinear filtering by the shader for everything and by the fast ones, against the mean of four texels.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 template <class Shader, class Depth = Depth24<>, class Visibility = ZBuffer>
 using Alone =
     RendererTraits<Depth, Rgb565, ShaderList<FlatShader<Rgb565>, GouraudShader<Rgb565>, Shader>, false, Visibility>;
-using Fast = BilinearTextureShader<Rgb565, NoTexelLight>;
+using Fast = LevelTextureShader<Rgb565, TextureFilter::bilinear, NoTexelLight>;
 
 /// The mean of the four texels around a point of the texture, in steps of RGB565's channels.
 struct Mean {
@@ -79,11 +79,32 @@ TEST(Bilinear, WhereTexelsAreAlikePixelsAreTexels) {
   }
 }
 
+TEST(Bilinear, MipMapsAreFilteredAsTheGeneralShaderDoes) {
+  Random random(46);
+  const OwnTexture own(random, TexelFormat::rgb565, 6, 5, true);
+  for (const MipMapping mapping : {MipMapping::polygon, MipMapping::span})
+    for (const int scale : {1, 3, 9, 40}) {
+      Material material{.texturing = {.texture = &own.texture,
+                                      .function = TextureFunction::replace,
+                                      .filter = TextureFilter::bilinear,
+                                      .mip_mapping = mapping}};
+      material.texture_matrix.ss = material.texture_matrix.tt = Q16_16::from_int(scale);
+      const auto fast = wall<Alone<Fast>>(material, scenes::textured_wall::settings());
+      const auto general = wall<Alone<GeneralShader<Rgb565>>>(material, scenes::textured_wall::settings());
+      for (std::size_t p = 0; p < fast.pixels.size(); ++p) {
+        const Channels a(fast.pixels[p]), b(general.pixels[p]);
+        ASSERT_LE(std::abs(a.red - b.red), 2) << p;
+        ASSERT_LE(std::abs(a.green - b.green), 3) << p;
+        ASSERT_LE(std::abs(a.blue - b.blue), 2) << p;
+      }
+    }
+}
+
 TEST(Bilinear, BandsAndSpansDrawTheSameBytes) {
   Random random(45);
   for (int i = 0; i < rounds(24); ++i) {
     const OwnTexture own(random, TexelFormat::rgb565, static_cast<unsigned>(random.between(0, 6)),
-                         static_cast<unsigned>(random.between(0, 6)));
+                         static_cast<unsigned>(random.between(0, 6)), true);
     RandomInstance::Wish wish{.closest = 0.5, .farthest = 6, .range_around = false, .vertices = 20};
     wish.orthographic = random.chance(6);
     RandomInstance instance(random, wish);
@@ -95,10 +116,11 @@ TEST(Bilinear, BandsAndSpansDrawTheSameBytes) {
     settings.camera = instance.view.camera;
     settings.cull = Cull::none;
     settings.lighting = lights.lighting();
-    const Material material{.colour = {255, 255, 255},
-                            .shading = ShadingMode::gouraud,
-                            .texturing = {.texture = &own.texture, .filter = TextureFilter::bilinear}};
-    using Lit = BilinearTextureShader<Rgb565, GouraudTexelLight>;
+    Material material{.colour = {255, 255, 255},
+                      .shading = ShadingMode::gouraud,
+                      .texturing = {.texture = &own.texture, .filter = TextureFilter::bilinear}};
+    material.texturing.mip_mapping = static_cast<MipMapping>(random.between(0, 2));
+    using Lit = LevelTextureShader<Rgb565, TextureFilter::bilinear, GouraudTexelLight>;
     expect_alike_in_bands_and_spans<Alone<Lit>, Alone<Lit, Depth24<>, Spanning>>(instance, settings, material);
     ASSERT_FALSE(HasFailure()) << "round " << i;
   }

@@ -101,6 +101,9 @@ TEST(GeneralShader, MipLevelsFollowTheDensityOfTexels) {
         .texturing = {.texture = &own.texture, .function = TextureFunction::replace, .mip_mapping = MipMapping::span}};
     material.texture_matrix.ss = material.texture_matrix.tt = Q16_16::from_int(scale);
     const auto picture = wall<GeneralTraits<>>(material, settings);
+    EXPECT_EQ(wall<GeneralAlone<>>(material, settings).pixels, picture.pixels);
+    material.texturing.filter = TextureFilter::bilinear;
+    EXPECT_EQ(wall<GeneralTraits<>>(material, settings).pixels, picture.pixels);
     for (int y = 0; y < 240; ++y)
       for (int x = 0; x < 320; ++x) {
         // Texels a pixel each way: 128·scale a unit of the wall; the wall's area a pixel grows with z³.
