@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/failure.hpp"
+#include "image/brightness.hpp"
 #include "image/image_file.hpp"
 
 namespace spanline::sim {
@@ -40,10 +41,7 @@ HeightImage read_heights(const std::string& path) {
   HeightImage result;
   result.log2_width = std::countr_zero(static_cast<unsigned>(image.width));
   result.log2_height = std::countr_zero(static_cast<unsigned>(image.height));
-  for (const Rgba8888& pixel : image.pixels) {
-    const Rgb888 c = pixel.colour;
-    result.heights.push_back(static_cast<std::uint8_t>((c.red * 299 + c.green * 587 + c.blue * 114 + 500) / 1000));
-  }
+  for (const Rgba8888& pixel : image.pixels) result.heights.push_back(brightness(pixel.colour));
   return result;
 }
 

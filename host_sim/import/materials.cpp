@@ -5,9 +5,7 @@
 #include <assimp/scene.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <string_view>
 
 namespace spanline::sim {
@@ -70,64 +68,6 @@ void read_opacity(const aiMaterial& material, FileMaterial& result) {
   if (opacity > 0) result.cut_off = std::max<std::uint8_t>(1, to_byte(static_cast<double>(cut_off / opacity)));
 }
 
-Wrap to_wrap(aiTextureMapMode mode) { return mode == aiTextureMapMode_Clamp ? Wrap::clamp : Wrap::repeat; }
-
-/// A URI's %20 and the like.
-std::string percent_decoded(const std::string& text) {
-  std::string result;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    unsigned value = 0;
-    if (text[i] == '%' && i + 2 < text.size() &&
-        std::from_chars(text.data() + i + 1, text.data() + i + 3, value, 16).ptr == text.data() + i + 3) {
-      result += static_cast<char>(value);
-      i += 2;
-    } else {
-      result += text[i];
-    }
-  }
-  return result;
-}
-
-/// Names count from the model's folder; some were written on machines whose folders part by backslashes.
-std::string image_path(std::string name, const std::string& model) {
-  std::replace(name.begin(), name.end(), '\\', '/');
-  const std::filesystem::path folder = std::filesystem::path(model).parent_path();
-  std::error_code error;
-  if (const auto plain = folder / name; std::filesystem::exists(plain, error)) return plain.string();
-  return (folder / percent_decoded(name)).string();
-}
-
-SceneImage to_image(const aiScene& file, const aiString& name, const std::string& model) {
-  const aiTexture* embedded = file.GetEmbeddedTexture(name.C_Str());
-  if (embedded == nullptr) {
-    const std::string path = image_path(name.C_Str(), model);
-    return {path, path, {}};
-  }
-  SceneImage image{model + ": the texture inside it", {}, {}};
-  // A compressed image's size stands in the width; others have no bytes of a file, and are refused as empty ones.
-  if (embedded->mHeight == 0) {
-    const auto* bytes = reinterpret_cast<const std::byte*>(embedded->pcData);
-    image.bytes.assign(bytes, bytes + embedded->mWidth);
-  }
-  return image;
-}
-
-void read_texture(const aiScene& file, const aiMaterial& material, const std::string& model, FileMaterial& result) {
-  for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
-    aiString name;
-    unsigned set = 0;
-    aiTextureMapMode modes[3] = {aiTextureMapMode_Wrap, aiTextureMapMode_Wrap, aiTextureMapMode_Wrap};
-    if (material.GetTexture(type, 0, &name, nullptr, &set, nullptr, nullptr, modes) != aiReturn_SUCCESS ||
-        name.length == 0)
-      continue;
-    result.texture_points = set;
-    result.wrap_s = to_wrap(modes[0]);
-    result.wrap_t = to_wrap(modes[1]);
-    result.image = to_image(file, name, model);
-    return;
-  }
-}
-
 }  // namespace
 
 std::uint8_t to_byte(double value) {
@@ -144,7 +84,7 @@ FileMaterial read_material(const aiScene& file, unsigned index, const std::strin
   result.highlights = highlights_of(material);
   result.alpha = alpha_use(material);
   read_opacity(material, result);
-  read_texture(file, material, path, result);
+  result.texture = texture_of(file, material, path);
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "import/material_texture.hpp"
 #include "scene/scene.hpp"
 
 struct aiMaterial;
@@ -29,10 +30,8 @@ struct FileMaterial {
   Highlights highlights;
   std::uint32_t opacity = 255;
   AlphaUse alpha = AlphaUse::by_image;
-  std::uint8_t cut_off = 128;   ///< least alpha of texels that are there
-  unsigned texture_points = 0;  ///< which set of a vertex's texture coordinates
-  Wrap wrap_s = Wrap::repeat, wrap_t = Wrap::repeat;
-  std::optional<SceneImage> image;
+  std::uint8_t cut_off = 128;  ///< least alpha of texels that are there
+  MaterialTexture texture;
 };
 
 /// Material `index` of a file that lies at `path`; nothing special where there is none.

@@ -47,7 +47,7 @@ class SceneBuilder {
       any_normals_ = any_normals_ || (keep_normals && mesh.HasNormals());
       any_vertex_colours_ = any_vertex_colours_ || mesh.HasVertexColors(0);
       any_vertex_opacities_ = any_vertex_opacities_ || has_opacities(mesh);
-      any_texture_points_ = any_texture_points_ || mesh.HasTextureCoords(material.texture_points);
+      any_texture_points_ = any_texture_points_ || mesh.HasTextureCoords(material.texture.points);
       any_materials_ = any_materials_ || material.colour.has_value();
     }
   }
@@ -98,9 +98,10 @@ class SceneBuilder {
     part.highlights = material.highlights;
     part.alpha = material.alpha;
     part.cut_off = material.cut_off;
-    part.wrap_s = material.wrap_s;
-    part.wrap_t = material.wrap_t;
-    if (material.image && mesh.HasTextureCoords(material.texture_points)) part.image = number_of(*material.image);
+    part.wrap_s = material.texture.wrap_s;
+    part.wrap_t = material.texture.wrap_t;
+    if (material.texture.image && mesh.HasTextureCoords(material.texture.points))
+      part.image = number_of(*material.texture.image);
     scene_.parts.push_back(part);
   }
 
@@ -121,7 +122,7 @@ class SceneBuilder {
       const Vector3 position = world.point(to_vector(mesh.mVertices[i]));
       if (!finite(position)) throw std::runtime_error("has a coordinate that is not a finite number");
       scene_.positions.push_back(position);
-      if (any_texture_points_) scene_.texture_points.push_back(texture_point(mesh, material.texture_points, i));
+      if (any_texture_points_) scene_.texture_points.push_back(texture_point(mesh, material.texture.points, i));
       if (any_normals_) scene_.vertex_normals.push_back(vertex_normal(mesh, i, world));
       if (any_vertex_opacities_)
         scene_.vertex_opacities.push_back(has_opacities(mesh) ? to_byte(static_cast<double>(mesh.mColors[0][i].a))

@@ -19,10 +19,18 @@ struct TexturePoint {
 };
 
 /// An image that a model names, or holds: the bytes of a PNG or JPEG file, which nobody has looked at.
-struct SceneImage {
-  std::string name;  ///< for messages
+struct ImageSource {
+  std::string name;  ///< for messages; empty where there is no image
   std::string path;  ///< empty where the bytes are here
   std::vector<std::byte> bytes;
+  [[nodiscard]] bool exists() const { return !name.empty(); }
+  friend bool operator==(const ImageSource&, const ImageSource&) = default;
+};
+
+/// What a texture is made of: one of the two at least.
+struct SceneImage {
+  ImageSource colours;    ///< none: white
+  ImageSource opacities;  ///< in the place of the colours' alpha; none: that is what counts
   friend bool operator==(const SceneImage&, const SceneImage&) = default;
 };
 

@@ -29,12 +29,25 @@ bool take(std::span<const std::byte>& bytes, std::vector<T>& table) {
   return true;
 }
 
+void put(std::vector<std::byte>& bytes, const ImageSource& source) {
+  put(bytes, std::vector<char>(source.name.begin(), source.name.end()));
+  put(bytes, std::vector<char>(source.path.begin(), source.path.end()));
+  put(bytes, source.bytes);
+}
+
+bool take(std::span<const std::byte>& bytes, ImageSource& source) {
+  std::vector<char> name, path;
+  if (!take(bytes, name) || !take(bytes, path) || !take(bytes, source.bytes)) return false;
+  source.name.assign(name.begin(), name.end());
+  source.path.assign(path.begin(), path.end());
+  return true;
+}
+
 void put(std::vector<std::byte>& bytes, const std::vector<SceneImage>& images) {
   put(bytes, std::vector<std::uint8_t>(images.size()));
   for (const SceneImage& image : images) {
-    put(bytes, std::vector<char>(image.name.begin(), image.name.end()));
-    put(bytes, std::vector<char>(image.path.begin(), image.path.end()));
-    put(bytes, image.bytes);
+    put(bytes, image.colours);
+    put(bytes, image.opacities);
   }
 }
 
@@ -43,11 +56,7 @@ bool take(std::span<const std::byte>& bytes, std::vector<SceneImage>& images) {
   if (!take(bytes, count)) return false;
   images.resize(count.size());
   return std::all_of(images.begin(), images.end(), [&bytes](SceneImage& image) {
-    std::vector<char> name, path;
-    if (!take(bytes, name) || !take(bytes, path) || !take(bytes, image.bytes)) return false;
-    image.name.assign(name.begin(), name.end());
-    image.path.assign(path.begin(), path.end());
-    return true;
+    return take(bytes, image.colours) && take(bytes, image.opacities);
   });
 }
 

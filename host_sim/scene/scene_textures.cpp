@@ -6,18 +6,10 @@
 #include <tuple>
 
 #include "base/failure.hpp"
+#include "scene/composed_image.hpp"
 
 namespace spanline::sim {
 namespace {
-
-ImageRgba decoded(const SceneImage& image) {
-  if (!image.path.empty()) return read_image(image.path);
-  try {
-    return decode_image(image.bytes);
-  } catch (const Failure& failure) {
-    throw Failure(image.name + " " + failure.what());
-  }
-}
 
 AlphaUse use_of(const ImageRgba& image) {
   const auto any = [&](auto holds) {
@@ -36,10 +28,11 @@ TexelFormat format_for(AlphaUse use, TexelFormat opaque) {
   return use == AlphaUse::blend ? TexelFormat::argb4444 : opaque;
 }
 
-TextureImage to_texture(const SceneImage& source, ImageRgba image, const TextureOptions& options) {
+TextureImage to_texture(const SceneImage& image, ImageRgba pixels, const TextureOptions& options) {
   try {
-    return make_texture(std::move(image), options);
+    return make_texture(std::move(pixels), options);
   } catch (const Failure& failure) {
+    const ImageSource& source = image.colours.exists() ? image.colours : image.opacities;
     throw Failure(source.path.empty() ? source.name + " " + failure.what() : source.path + ": " + failure.what());
   }
 }
@@ -55,7 +48,7 @@ SceneTextures load_textures(const Scene& scene, const TextureOptions& options, b
     PartTexture& known = made[{part.image, part.alpha, part.cut_off, part.wrap_s, part.wrap_t}];
     if (known.image == PartTexture::none) {
       const SceneImage& source = scene.images[part.image];
-      ImageRgba image = decoded(source);
+      ImageRgba image = composed(source);
       const AlphaUse use = part.alpha == AlphaUse::by_image ? use_of(image) : part.alpha;
       if (use == AlphaUse::cut_out) cut(image, part.cut_off);
       TextureOptions own = options;
@@ -78,7 +71,7 @@ void use_texture(Scene& scene, const std::string& path) {
   if (scene.parts.empty()) scene.parts.emplace_back();
   if (!is_textured(scene)) scene.vertex_colours.clear();
   const auto number = static_cast<std::uint32_t>(scene.images.size());
-  scene.images.push_back({path, path, {}});
+  scene.images.push_back({.colours = {path, path, {}}, .opacities = {}});
   for (Scene::Part& part : scene.parts) {
     if (part.image != Scene::Part::no_image) continue;
     part.image = number;
@@ -93,7 +86,7 @@ void use_environment(Scene& scene, const std::string& path) {
   scene.polygon_colours.clear();
   scene.texture_points.clear();
   scene.colour = {255, 255, 255};
-  scene.images = {{path, path, {}}};
+  scene.images = {{.colours = {path, path, {}}, .opacities = {}}};
   for (Scene::Part& part : scene.parts) {
     part.image = 0;
     part.colour = {255, 255, 255};

@@ -9,7 +9,7 @@
 namespace spanline::sim::test {
 namespace {
 
-constexpr Rgb888 red{255, 0, 0}, green{0, 255, 0}, blue{0, 0, 255}, white{255, 255, 255};
+constexpr Rgb888 red{255, 0, 0}, green{0, 255, 0}, blue{0, 0, 255}, white{255, 255, 255}, grey{128, 128, 128};
 
 /// A quarter each, from the top left.
 std::string quarters(const std::vector<Rgba8888>& colours, int size = 8) {
@@ -39,6 +39,16 @@ class ModelTexturesTest : public ToolTest {
     EXPECT_EQ(result.exit_code, 0) << result.errors;
     const Picture picture = read_png(in_folder("out.png"));
     return {picture.at(8, 8), picture.at(24, 8), picture.at(8, 24), picture.at(24, 24)};
+  }
+  /// A square with a material of these lines.
+  [[nodiscard]] std::string square(const std::string& material) const {
+    make_file("m.mtl", "newmtl a\nKd 1 1 1\n" + material);
+    return make_file("a.obj", "mtllib m.mtl\nusemtl a\n" + textured_square());
+  }
+  /// A colour over the grey background.
+  static Rgb888 over(Rgb888 c, double alpha) {
+    const auto channel = [&](int a) { return static_cast<std::uint8_t>(a * alpha + 128 * (1 - alpha)); };
+    return {channel(c.red), channel(c.green), channel(c.blue)};
   }
   /// RGB565 and 32nds of opacity are coarse: 4 of 255 each, and twice that for products of two opacities.
   static void expect_near(const std::vector<Rgb888>& got, const std::vector<Rgb888>& wanted) {
@@ -80,11 +90,6 @@ TEST_F(ModelTexturesTest, GltfImagesLieBesideItOrInsideAndTakeItsSampler) {
 
 TEST_F(ModelTexturesTest, AlphaModesSayWhatAlphaOfTexelsDoes) {
   const std::string uri = data_uri(quarters({{red, 255}, {green, 153}, {blue, 85}, {white, 0}}));
-  const Rgb888 grey{128, 128, 128};
-  const auto over = [&](Rgb888 c, double alpha) {
-    const auto channel = [&](int a) { return static_cast<std::uint8_t>(a * alpha + 128 * (1 - alpha)); };
-    return Rgb888{channel(c.red), channel(c.green), channel(c.blue)};
-  };
   for (const char* visibility : {"zbuffer", "span"}) {
     const auto mode = [&](const std::string& material, const std::string& factor = "") {
       return drawn(make_file("a.gltf", textured_gltf(uri, factor + "}" + material)), {"--visibility", visibility});
@@ -97,6 +102,55 @@ TEST_F(ModelTexturesTest, AlphaModesSayWhatAlphaOfTexelsDoes) {
     expect_near(mode(R"(, "alphaMode": "BLEND")", R"(, "baseColorFactor": [1, 1, 1, 0.5])"),
                 {over(red, 0.5), over(green, 0.3), over(blue, 1 / 6.0), grey});
   }
+}
+
+TEST_F(ModelTexturesTest, OpacitiesOfMtlAreAnImagesAlphaOrItsBrightness) {
+  make_file("colours.png", quarters(four_colours));
+  const auto level = [](std::uint8_t value) { return Rgba8888{{value, value, value}}; };
+  // Luma of (0, 255, 22) is 0.587 · 255 + 0.114 · 22 = 152, which is 0.6.
+  make_file("bright.png", quarters({level(255), {{0, 255, 22}}, level(85), level(0)}));
+  make_file("alpha.png", quarters({{red, 255}, {red, 153}, {blue, 85}, {white, 0}}));
+  make_file("small.png", quarters({level(255), level(153), level(85), level(0)}, 2));
+  make_file("large.png", quarters({level(255), level(153), level(85), level(0)}, 24));
+  for (const std::string name : {"bright.png", "alpha.png", "small.png", "large.png"}) {
+    SCOPED_TRACE(name);
+    for (const std::string visibility : {"zbuffer", "span"})
+      expect_near(drawn(square("map_Kd colours.png\nmap_d " + name + "\n"), {"--visibility", visibility}),
+                  {red, over(green, 0.6), over(blue, 1 / 3.0), grey});
+  }
+  expect_near(drawn(square("d 0.5\nmap_Kd colours.png\nmap_d alpha.png\n")),
+              {over(red, 0.5), over(green, 0.3), over(blue, 1 / 6.0), grey});
+  // Without colours, it is the material's.
+  expect_near(drawn(square("Kd 1 0 1\nmap_d alpha.png\n")),
+              {{255, 0, 255}, over({255, 0, 255}, 0.6), over({255, 0, 255}, 1 / 3.0), grey});
+  // Colours' own alpha gives way to it.
+  make_file("half.png", quarters({{red, 128}, {green, 128}, {blue, 128}, {white, 128}}));
+  make_file("mask.png", quarters({level(255), level(0), level(0), level(255)}));
+  expect_near(drawn(square("map_Kd half.png\nmap_d mask.png\n")), {red, grey, grey, white});
+  // What is there or not is cut out: no layers, and words of 16 bits in flash.
+  EXPECT_EQ(run({"convert", in_folder("a.obj"), "-o", in_folder("a.hpp"), "--materials"}).exit_code, 0);
+  EXPECT_NE(read_text(in_folder("a.hpp")).find("TexelFormat::rgb565_cutout"), std::string::npos);
+}
+
+TEST_F(ModelTexturesTest, OpacitiesThatCannotBeAreRefusedByName) {
+  const std::string odd = quarters(four_colours, 12);
+  make_file("colours.png", quarters(four_colours));
+  make_file("odd.png", odd);
+  make_file("cut.png", odd.substr(0, odd.size() / 2));
+  const auto expect_named = [&](const std::string& material, const std::string& name) {
+    const std::string model = square(material);
+    const auto before = files();
+    for (const ToolRun& result : {draw(model), run({"convert", model, "-o", in_folder("a.hpp"), "--materials"})}) {
+      expect_refused(result, 1, before);
+      EXPECT_NE(result.errors.find(in_folder(name)), std::string::npos) << result.errors;
+    }
+  };
+  for (const std::string name : {"missing.png", "cut.png"}) {
+    expect_named("map_Kd colours.png\nmap_d " + name + "\n", name);
+    expect_named("map_d " + name + "\n", name);
+  }
+  expect_named("map_d odd.png\n", "odd.png");
+  expect_named("map_Kd odd.png\nmap_d colours.png\n", "odd.png");
 }
 
 TEST_F(ModelTexturesTest, ImagesThatCannotBeAreRefusedByNameUnlessNobodyAsksForThem) {
