@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 
 namespace spanline::sim {
@@ -52,6 +53,22 @@ ImageSource to_source(const aiScene& file, const aiString& name, const std::stri
   return image;
 }
 
+/// Assimp states a rotation about the texture's middle, in coordinates whose t counts upwards, with a translation to
+/// suit; both are taken back here, in the terms of its importer of glTF, which is the only one that states any.
+TextureTransform transform_of(const aiMaterial& material, aiTextureType type) {
+  aiUVTransform stated;
+  if (material.Get(AI_MATKEY_UVTRANSFORM(type, 0), stated) != aiReturn_SUCCESS) return {};
+  TextureTransform transform;
+  transform.rotation = -static_cast<double>(stated.mRotation);
+  transform.scale_s = static_cast<double>(stated.mScaling.x);
+  transform.scale_t = static_cast<double>(stated.mScaling.y);
+  const double cosine = std::cos(transform.rotation), sine = std::sin(transform.rotation);
+  transform.offset_s = static_cast<double>(stated.mTranslation.x) - 0.5 * transform.scale_s * (1 - cosine + sine);
+  transform.offset_t = 1 - transform.scale_t + 0.5 * transform.scale_t * (cosine + sine - 1) -
+                       static_cast<double>(stated.mTranslation.y);
+  return transform;
+}
+
 /// Reads the first texture of a kind, and how it lies on the surface, unless there is none.
 bool read_texture(const aiScene& file, const aiMaterial& material, aiTextureType type, const std::string& model,
                   ImageSource& source, MaterialTexture& texture) {
@@ -63,12 +80,19 @@ bool read_texture(const aiScene& file, const aiMaterial& material, aiTextureType
     return false;
   source = to_source(file, name, model);
   texture.points = set;
+  texture.transform = transform_of(material, type);
   texture.wrap_s = to_wrap(modes[0]);
   texture.wrap_t = to_wrap(modes[1]);
   return true;
 }
 
 }  // namespace
+
+TexturePoint TextureTransform::operator()(TexturePoint point) const {
+  const double cosine = std::cos(rotation), sine = std::sin(rotation);
+  const double s = point.s * scale_s, t = point.t * scale_t;
+  return {offset_s + s * cosine + t * sine, offset_t - s * sine + t * cosine};
+}
 
 MaterialTexture texture_of(const aiScene& file, const aiMaterial& material, const std::string& path) {
   MaterialTexture texture;

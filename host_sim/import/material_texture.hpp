@@ -9,9 +9,23 @@ struct aiScene;
 
 namespace spanline::sim {
 
+/// KHR_texture_transform of glTF: scale, then rotation, then offset, where t counts downwards:
+///
+///     s' = offset_s + scale_s · s · cos + scale_t · t · sin
+///     t' = offset_t − scale_s · s · sin + scale_t · t · cos
+///
+/// The signs are those of the extension's own example and of its implementations; its listing in GLSL turns the other
+/// way (KhronosGroup/glTF, issue 1563).
+struct TextureTransform {
+  double offset_s = 0, offset_t = 0, scale_s = 1, scale_t = 1;
+  double rotation = 0;  ///< radians
+  [[nodiscard]] TexturePoint operator()(TexturePoint point) const;
+};
+
 /// The texture of a file's material.
 struct MaterialTexture {
-  unsigned points = 0;  ///< which set of a vertex's texture coordinates
+  unsigned points = 0;         ///< which set of a vertex's texture coordinates
+  TextureTransform transform;  ///< of these
   Wrap wrap_s = Wrap::repeat, wrap_t = Wrap::repeat;
   std::optional<SceneImage> image;
 };

@@ -3,6 +3,7 @@
 #include <assimp/scene.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -122,7 +123,7 @@ class SceneBuilder {
       const Vector3 position = world.point(to_vector(mesh.mVertices[i]));
       if (!finite(position)) throw std::runtime_error("has a coordinate that is not a finite number");
       scene_.positions.push_back(position);
-      if (any_texture_points_) scene_.texture_points.push_back(texture_point(mesh, material.texture.points, i));
+      if (any_texture_points_) scene_.texture_points.push_back(texture_point(mesh, material.texture, i));
       if (any_normals_) scene_.vertex_normals.push_back(vertex_normal(mesh, i, world));
       if (any_vertex_opacities_)
         scene_.vertex_opacities.push_back(has_opacities(mesh) ? to_byte(static_cast<double>(mesh.mColors[0][i].a))
@@ -149,11 +150,13 @@ class SceneBuilder {
   }
 
   /// Assimp's t counts upwards.
-  static TexturePoint texture_point(const aiMesh& mesh, unsigned set, unsigned vertex) {
-    if (!mesh.HasTextureCoords(set)) return {};
-    const Vector3 point = to_vector(mesh.mTextureCoords[set][vertex]);
-    if (!finite(point)) throw std::runtime_error("has a texture coordinate that is not a finite number");
-    return {point.x, 1 - point.y};
+  static TexturePoint texture_point(const aiMesh& mesh, const MaterialTexture& texture, unsigned vertex) {
+    if (!mesh.HasTextureCoords(texture.points)) return {};
+    const Vector3 stored = to_vector(mesh.mTextureCoords[texture.points][vertex]);
+    const TexturePoint point = texture.transform({stored.x, 1 - stored.y});
+    if (!std::isfinite(point.s) || !std::isfinite(point.t))
+      throw std::runtime_error("has a texture coordinate that is not a finite number");
+    return point;
   }
 
   void add_polygon(const aiMesh& mesh, const aiFace& face, bool mirrored) {

@@ -1,8 +1,10 @@
 // Textures that a model names or holds, and what their alpha does, by the real command.
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "image_bytes.hpp"
+#include "import/model_file.hpp"
 #include "model_files.hpp"
 #include "tool.hpp"
 
@@ -151,6 +153,56 @@ TEST_F(ModelTexturesTest, OpacitiesThatCannotBeAreRefusedByName) {
   }
   expect_named("map_d odd.png\n", "odd.png");
   expect_named("map_Kd odd.png\nmap_d colours.png\n", "odd.png");
+}
+
+/// A model of textured_gltf with KHR_texture_transform, whose JSON is `transform`.
+std::string transformed_gltf(const std::string& uri, const std::string& transform) {
+  std::string text = textured_gltf(uri);
+  const std::string reference = R"({"index": 0})";
+  text.replace(text.find(reference), reference.size(),
+               R"({"index": 0, "extensions": {"KHR_texture_transform": )" + transform + "}}");
+  return text.insert(1, R"("extensionsUsed": ["KHR_texture_transform"], )");
+}
+
+TEST_F(ModelTexturesTest, TransformsOfGltfMoveTurnAndScaleCoordinates) {
+  const auto points = [&](const std::string& transform) {
+    return import_model(make_file("a.gltf", transformed_gltf("x.png", transform))).texture_points;
+  };
+  const auto expect_points = [](const std::vector<TexturePoint>& got, const std::vector<TexturePoint>& wanted) {
+    ASSERT_EQ(got.size(), wanted.size());
+    for (std::size_t i = 0; i < got.size(); ++i) {
+      EXPECT_NEAR(got[i].s, wanted[i].s, 1e-5) << i;
+      EXPECT_NEAR(got[i].t, wanted[i].t, 1e-5) << i;
+    }
+  };
+  const std::vector<TexturePoint> plain{{0, 1}, {2, 1}, {0, -1}};
+  expect_points(points("{}"), plain);
+  expect_points(points(R"({"offset": [0.25, 0.125]})"), {{0.25, 1.125}, {2.25, 1.125}, {0.25, -0.875}});
+  expect_points(points(R"({"scale": [2, -3]})"), {{0, -3}, {4, -3}, {0, 3}});
+  // The extension's first example: the lower left quadrant, (s, t) goes to (t/2, 1 − s/2).
+  expect_points(points(R"({"offset": [0, 1], "rotation": 1.57079632679, "scale": [0.5, 0.5]})"),
+                {{0.5, 1}, {0.5, 0}, {-0.5, 1}});
+  // All of it: matrices one after the other.
+  std::vector<TexturePoint> wanted;
+  for (const TexturePoint p : plain) {
+    const double s = 2 * p.s, t = 0.75 * p.t, angle = 0.4;
+    wanted.push_back({s * std::cos(angle) + t * std::sin(angle) - 0.3, -s * std::sin(angle) + t * std::cos(angle) + 5});
+  }
+  expect_points(points(R"({"offset": [-0.3, 5], "rotation": 0.4, "scale": [2, 0.75]})"), wanted);
+}
+
+TEST_F(ModelTexturesTest, TransformsOfGltfAreDrawn) {
+  const std::string uri = data_uri(quarters(four_colours));
+  const auto shown = [&](const std::string& transform) {
+    return drawn(make_file("a.gltf", transformed_gltf(uri, transform)));
+  };
+  expect_near(shown(R"({"offset": [0.5, 0]})"), {green, red, white, blue});
+  expect_near(shown(R"({"offset": [0, 1], "rotation": 1.57079632679, "scale": [0.5, 0.5]})"), {blue, blue, blue, blue});
+  // A quarter of a turn: the image clockwise.
+  expect_near(shown(R"({"offset": [0, 1], "rotation": 1.57079632679})"), {blue, red, white, green});
+  const std::string model = make_file("a.gltf", transformed_gltf(uri, R"({"offset": [1e39, 0]})"));
+  const auto before = files();
+  expect_refused(draw(model), 1, before);
 }
 
 TEST_F(ModelTexturesTest, ImagesThatCannotBeAreRefusedByNameUnlessNobodyAsksForThem) {
