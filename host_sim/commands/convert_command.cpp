@@ -96,6 +96,7 @@ class ConvertCommand final : public Command {
     if (displacement) scene = displaced(scene, model_, *displacement);
     if (wrap) set_wrap(scene, *wrap);
     if (highlights) set_highlights(scene, *highlights);
+    halve_mirrored_coordinates(scene);
     complete_vertex_normals(scene);
     FlashParts parts;
     try {

@@ -6,6 +6,7 @@
 #include "base/parse.hpp"
 #include "commands/commands.hpp"
 #include "import/model_file.hpp"
+#include "scene/scene_textures.hpp"
 #include "view/viewer.hpp"
 
 namespace spanline::sim {
@@ -31,7 +32,8 @@ class ViewCommand final : public Command {
     if (screenshot_ && screenshot_->empty()) throw UsageError("--screenshot: the name is empty");
     options.screenshot = screenshot_;
     // The importer's process must be forked before SDL starts threads.
-    const Scene scene = import_model(model_);
+    Scene scene = import_model(model_);
+    halve_mirrored_coordinates(scene);
     run_viewer(scene, options);
   }
 

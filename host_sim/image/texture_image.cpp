@@ -22,26 +22,6 @@ std::string size_text(const ImageRgba& image) {
   return std::to_string(image.width) + "x" + std::to_string(image.height);
 }
 
-ImageRgba with_allowed_size(ImageRgba image, bool resize) {
-  const auto is_power = [](int side) { return side > 0 && std::has_single_bit(static_cast<unsigned>(side)); };
-  if (resize) {
-    int width = allowed_side(image.width), height = allowed_side(image.height);
-    while (static_cast<long>(width) * height > 1l << Texture::max_log2_texels) {
-      width = std::max(1, width / 2);
-      height = std::max(1, height / 2);
-    }
-    if (width != image.width || height != image.height) image = resized(image, width, height);
-    return image;
-  }
-  if (!is_power(image.width) || !is_power(image.height))
-    throw Failure("is " + size_text(image) + "; the sides of a texture are powers of two (--resize makes them so)");
-  if (image.width > 1 << Texture::max_log2_size || image.height > 1 << Texture::max_log2_size ||
-      static_cast<long>(image.width) * image.height > 1l << Texture::max_log2_texels)
-    throw Failure("is " + size_text(image) + "; a texture is not " + to_string(TextureFault::too_large) +
-                  " (--resize halves it)");
-  return image;
-}
-
 std::uint16_t word_of(const Rgba8888& pixel, TexelFormat format) {
   const std::uint16_t rgb565 = Rgb565::from(pixel.colour);
   if (format == TexelFormat::rgb565_cutout)
@@ -76,6 +56,26 @@ Texture TextureImage::view() const {
   texture.bytes = bytes;
   texture.palette = palette;
   return texture;
+}
+
+ImageRgba with_allowed_size(ImageRgba image, bool resize) {
+  const auto is_power = [](int side) { return side > 0 && std::has_single_bit(static_cast<unsigned>(side)); };
+  if (resize) {
+    int width = allowed_side(image.width), height = allowed_side(image.height);
+    while (static_cast<long>(width) * height > 1l << Texture::max_log2_texels) {
+      width = std::max(1, width / 2);
+      height = std::max(1, height / 2);
+    }
+    if (width != image.width || height != image.height) image = resized(image, width, height);
+    return image;
+  }
+  if (!is_power(image.width) || !is_power(image.height))
+    throw Failure("is " + size_text(image) + "; the sides of a texture are powers of two (--resize makes them so)");
+  if (image.width > 1 << Texture::max_log2_size || image.height > 1 << Texture::max_log2_size ||
+      static_cast<long>(image.width) * image.height > 1l << Texture::max_log2_texels)
+    throw Failure("is " + size_text(image) + "; a texture is not " + to_string(TextureFault::too_large) +
+                  " (--resize halves it)");
+  return image;
 }
 
 TextureImage make_texture(ImageRgba image, const TextureOptions& options) {

@@ -25,6 +25,9 @@ struct TextureOptions {
   bool resize = false;   ///< sides that are no powers of two go to the next, and those beyond the limits are halved
 };
 
+/// Resizes the image to sides that a texture may have, or throws Failure where `resize` is not set and they are not.
+[[nodiscard]] ImageRgba with_allowed_size(ImageRgba image, bool resize);
+
 /// Quantises an image: channels are rounded, palettes chosen by median cut over level 0. A mip level's texel is the
 /// mean of the four above it, weighted by their alpha. Throws Failure for sides that a texture cannot have.
 [[nodiscard]] TextureImage make_texture(ImageRgba image, const TextureOptions& options);

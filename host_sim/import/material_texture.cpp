@@ -11,7 +11,10 @@
 namespace spanline::sim {
 namespace {
 
-Wrap to_wrap(aiTextureMapMode mode) { return mode == aiTextureMapMode_Clamp ? Wrap::clamp : Wrap::repeat; }
+PartWrap to_wrap(aiTextureMapMode mode) {
+  if (mode == aiTextureMapMode_Mirror) return PartWrap::mirror;
+  return mode == aiTextureMapMode_Clamp ? PartWrap::clamp : PartWrap::repeat;
+}
 
 /// A URI's %20 and the like.
 std::string percent_decoded(const std::string& text) {

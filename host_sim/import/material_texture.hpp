@@ -26,7 +26,7 @@ struct TextureTransform {
 struct MaterialTexture {
   unsigned points = 0;         ///< which set of a vertex's texture coordinates
   TextureTransform transform;  ///< of these
-  Wrap wrap_s = Wrap::repeat, wrap_t = Wrap::repeat;
+  PartWrap wrap_s = PartWrap::repeat, wrap_t = PartWrap::repeat;
   std::optional<SceneImage> image;
 };
 

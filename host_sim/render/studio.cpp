@@ -48,6 +48,9 @@ void Studio::name_textures() {
   if (arguments_.texture) use_texture(scene_, *arguments_.texture);
   if (!is_textured(scene_)) throw UsageError("--shade texture: the model has no texture of its own (--texture FILE)");
   if (arguments_.wrap) set_wrap(scene_, *arguments_.wrap);
+  if (arguments_.heights && has_mirrored_textures(scene_))
+    throw NotAvailable("--bump and --emboss on textures that repeat mirrored");  // whose coordinates they share
+  halve_mirrored_coordinates(scene_);
 }
 
 Frame Studio::draw(double turns) {

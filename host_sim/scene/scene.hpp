@@ -50,6 +50,9 @@ enum class AlphaUse : std::uint8_t {
   blend,
 };
 
+/// How a part's texture goes on beyond its edge, along one axis: as the core has it, or every other time mirrored.
+enum class PartWrap : std::uint8_t { repeat, clamp, mirror };
+
 /// A model as it comes from its file, in world space and in doubles: right-handed, y up, front faces counter-clockwise.
 ///
 /// Triangles stand in file order; a polygon of n corners is the fan (0,1,2), (0,2,3) … Every table is either empty or
@@ -65,7 +68,7 @@ struct Scene {
     Highlights highlights{};
     AlphaUse alpha = AlphaUse::by_image;
     std::uint8_t cut_off = 128;  ///< least alpha of texels that are there, where they are cut out
-    Wrap wrap_s = Wrap::repeat, wrap_t = Wrap::repeat;
+    PartWrap wrap_s = PartWrap::repeat, wrap_t = PartWrap::repeat;
     friend bool operator==(const Part&, const Part&) = default;
   };
   using Triangle = std::array<std::uint32_t, 3>;

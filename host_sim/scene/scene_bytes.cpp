@@ -67,7 +67,7 @@ bool in_order(const std::vector<Scene::Part>& parts, std::size_t triangles, std:
   std::uint64_t least = 0;
   for (const Scene::Part& part : parts) {
     if ((part.image >= images && part.image != Scene::Part::no_image) || part.alpha > AlphaUse::blend ||
-        part.wrap_s > Wrap::clamp || part.wrap_t > Wrap::clamp)
+        part.wrap_s > PartWrap::mirror || part.wrap_t > PartWrap::mirror)
       return false;
     if (part.highlights.shininess < 1 || part.highlights.shininess > 128) return false;
     if ((least == 0 && part.first != 0) || part.first < least || part.first >= triangles || part.opacity > 255)

@@ -22,10 +22,17 @@ struct SceneTextures {
 };
 
 /// Reads and quantises the images of all parts. Texels with alpha that cuts out become rgb565_cutout, those that blend
-/// argb4444, others the format of `options`, which `format_wanted` makes hold for all. Throws Failure that names the
-/// image.
+/// argb4444, others the format of `options`, which `format_wanted` makes hold for all. Mirrored ones are made twice as
+/// large. Throws Failure that names the image.
 [[nodiscard]] SceneTextures load_textures(const Scene& scene, const TextureOptions& options,
                                           bool format_wanted = false);
+
+/// Whether any part has a texture that repeats mirrored, and coordinates for it.
+[[nodiscard]] bool has_mirrored_textures(const Scene& scene);
+
+/// Halves the texture coordinates of parts along axes where their textures repeat mirrored: what `load_textures` makes
+/// there is image and mirror image in one, twice as large. For once, before the textures are drawn.
+void halve_mirrored_coordinates(Scene& scene);
 
 /// Wraps the textures of all parts alike, whatever the model says.
 void set_wrap(Scene& scene, Wrap wrap);

@@ -205,6 +205,69 @@ TEST_F(ModelTexturesTest, TransformsOfGltfAreDrawn) {
   expect_refused(draw(model), 1, before);
 }
 
+/// Of glTF's samplers: mirrored along these axes.
+std::string mirrored_gltf(const std::string& uri, const std::string& transform, bool s, bool t) {
+  std::string text = transformed_gltf(uri, transform);
+  const std::string sampler = R"("samplers": [{}])";
+  const auto mode = [](bool mirrored) { return std::to_string(mirrored ? 33648 : 10497); };
+  return text.replace(text.find(sampler), sampler.size(),
+                      R"("samplers": [{"wrapS": )" + mode(s) + R"(, "wrapT": )" + mode(t) + "}]");
+}
+
+TEST_F(ModelTexturesTest, MirroredRepeatTurnsEveryOtherImage) {
+  const std::string uri = data_uri(quarters(four_colours));
+  /// Eighths of the upper line of the picture, or of its left column.
+  const auto expect_line = [&](const std::string& model, bool down, const std::vector<Rgb888>& wanted,
+                               const std::vector<std::string>& more = {}) {
+    const ToolRun result = draw(model, more);
+    ASSERT_EQ(result.exit_code, 0) << result.errors;
+    const Picture picture = read_png(in_folder("out.png"));
+    std::vector<Rgb888> got;
+    for (int i = 4; i < 32; i += 8) got.push_back(down ? picture.at(4, i) : picture.at(i, 4));
+    expect_near(got, wanted);
+  };
+  const std::string twice = make_file("a.gltf", mirrored_gltf(uri, R"({"scale": [2, 1]})", true, false));
+  for (const std::string visibility : {"zbuffer", "span"})
+    expect_line(twice, false, {red, green, green, red}, {"--visibility", visibility});
+  expect_line(twice, false, {red, green, green, red}, {"--filter", "bilinear", "--mipmap"});
+  expect_line(twice, false, {red, green, red, green}, {"--wrap", "repeat"});
+  expect_line(twice, false, {red, green, green, green}, {"--wrap", "clamp"});
+  const auto line = [&](const std::string& transform, bool s, bool t, bool down, const std::vector<Rgb888>& wanted) {
+    expect_line(make_file("b.gltf", mirrored_gltf(uri, transform, s, t)), down, wanted);
+  };
+  line(R"({"scale": [2, 1], "offset": [-1, 0]})", true, true, false, {green, red, red, green});
+  line(R"({"scale": [2, 1]})", false, true, false, {red, green, red, green});
+  line(R"({"scale": [1, 2]})", true, true, true, {red, blue, blue, red});
+  line(R"({"scale": [1, 2], "offset": [0.75, 4]})", false, true, true, {green, white, white, green});
+  // In flash the texture is twice as wide, and coordinates half as large; without textures they stay.
+  EXPECT_EQ(run({"convert", twice, "-o", in_folder("a.hpp"), "--materials"}).exit_code, 0);
+  const std::string header = read_text(in_folder("a.hpp"));
+  EXPECT_NE(header.find(".log2_width = 4,\n    .log2_height = 3,"), std::string::npos) << header;
+  EXPECT_EQ(import_model(twice).texture_points.at(1).s, 4);
+  EXPECT_NE(header.find("{0, 8192}, {16384, 8192}, {0, -8192},"), std::string::npos) << header;
+}
+
+TEST_F(ModelTexturesTest, MirroredRepeatIsRefusedByNameWhereItTakesTooLargeATexture) {
+  ImageRgba wide{2048, 1, {}};
+  for (int x = 0; x < wide.width; ++x) wide.pixels.push_back({x < 1024 ? red : green});
+  const std::vector<std::byte> bytes = png_with_alpha(wide);
+  make_file("wide.png", {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  const std::string once = make_file("a.gltf", mirrored_gltf("wide.png", "{}", false, true));
+  expect_near(drawn(once), {red, green, red, green});
+  const std::string model = make_file("b.gltf", mirrored_gltf("wide.png", R"({"scale": [2, 1]})", true, false));
+  const auto before = files();
+  for (const ToolRun& result : {draw(model, {"--stats", in_folder("s.json")}),
+                                run({"convert", model, "-o", in_folder("a.hpp"), "--materials"})}) {
+    expect_refused(result, 1, before);
+    EXPECT_NE(result.errors.find(in_folder("wide.png") + ": with its mirror image is 4096x1;"), std::string::npos)
+        << result.errors;
+  }
+  expect_refused(draw(model, {"--bump", in_folder("wide.png")}), 2, before);
+  EXPECT_EQ(draw(model, {"--resize"}).exit_code, 0);
+  const Picture picture = read_png(in_folder("out.png"));
+  expect_near({picture.at(4, 4), picture.at(12, 4), picture.at(20, 4), picture.at(28, 4)}, {red, green, green, red});
+}
+
 TEST_F(ModelTexturesTest, ImagesThatCannotBeAreRefusedByNameUnlessNobodyAsksForThem) {
   const std::string odd = quarters(four_colours, 12);
   make_file("odd.png", odd);
