@@ -90,7 +90,7 @@ class BandPartner {
     constexpr void take(Arena& arena, const Capacity& c) {
       bands.take(arena, c);
       references = arena.take<PolygonReference>(copies ? c.polygons : 0);
-      buckets = arena.take<Link>(copies ? Renderer<Traits>::bucket_count(c) : 0);
+      buckets = arena.take<Link>(copies ? FramePools<Traits>::bucket_count(c) : 0);
     }
   };
 

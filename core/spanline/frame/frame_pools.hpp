@@ -1,0 +1,133 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "spanline/frame/arena.hpp"
+#include "spanline/frame/band_drawer.hpp"
+#include "spanline/frame/capacity.hpp"
+#include "spanline/frame/shader_choice.hpp"
+#include "spanline/frame/status.hpp"
+#include "spanline/geometry/polygon_assembly.hpp"
+
+namespace spanline {
+
+/// A frame's memory but for its bands, in the order in which the arena cuts it, and how much of it is taken.
+template <class Traits>
+struct FramePools {
+  using Set = ShaderSet<Traits>;
+
+  std::span<PolygonGroup> groups;
+  std::span<ShadingGroup> shading;
+  std::span<std::uint16_t> ramps;
+  std::span<ScreenVertex> vertices;
+  std::span<std::uint32_t> shades;
+  std::span<TextureVertex> textures;
+  std::span<std::int32_t> third_coordinates;
+  std::span<TexturedGroup> textured;
+  std::span<PixelwiseGroup> pixelwise;
+  std::span<LocalLighting> local_lights;
+  std::span<PolygonReference> references;
+  std::span<FanTriangle> fans;
+  std::span<Link> buckets;
+
+  constexpr void take(Arena& arena, const Capacity& c) {
+    groups = arena.take<PolygonGroup>(c.instances);
+    shading = arena.take<ShadingGroup>(c.instances);
+    ramps = arena.take<std::uint16_t>(Set::has_ramps ? c.instances * gouraud::ramp_size : 0);
+    vertices = arena.take<ScreenVertex>(c.vertices);
+    shades = arena.take<std::uint32_t>(Set::has_shades ? c.shades : 0);
+    textures = arena.take<TextureVertex>(Set::has_textures ? c.textures : 0);
+    third_coordinates = arena.take<std::int32_t>(Set::has_volumes ? c.textures : 0);
+    textured = arena.take<TexturedGroup>(Set::has_textures || Set::has_local_light ? c.instances : 0);
+    pixelwise = arena.take<PixelwiseGroup>(Set::has_pixelwise ? c.instances : 0);
+    local_lights = arena.take<LocalLighting>(Set::has_local_light ? c.instances : 0);
+    references = arena.take<PolygonReference>(c.polygons);
+    fans = arena.take<FanTriangle>(c.fans);
+    buckets = arena.take<Link>(bucket_count(c));
+  }
+
+  /// Buckets of the polygon table.
+  [[nodiscard]] static constexpr std::uint32_t bucket_count(const Capacity& c) {
+    const std::uint32_t lines = std::max<std::uint32_t>(1, BandDrawer<Traits>::Visibility::bucket_lines(c));
+    return (c.height + lines - 1) / lines;
+  }
+
+  /// How much of the pools the frame has taken.
+  struct Used {
+    std::uint32_t vertices = 0, shades = 0, textures = 0, ids = 0;
+    std::uint32_t instances_wanted = 0, vertices_wanted = 0, shades_wanted = 0, textures_wanted = 0,
+                  polygons_wanted = 0, fans_wanted = 0;  ///< and not found
+  };
+  Used used;
+
+  /// Room for a group.
+  Status reserve_group(std::uint32_t groups_taken) {
+    if (groups_taken < groups.size()) return {};
+    return refuse(Pool::instances, used.instances_wanted, 1, groups.size());
+  }
+  /// Room for an instance of a mesh.
+  Status reserve(std::uint32_t groups_taken, const Mesh& mesh, bool with_shades, bool with_textures) {
+    if (const Status room = reserve_group(groups_taken); !room.ok()) return room;
+    const std::size_t count = mesh.vertex_count();
+    if (count > vertices.size() - used.vertices)
+      return refuse_all(Pool::vertices, used.vertices_wanted, used.vertices, count, vertices.size());
+    if (with_shades && count > shades.size() - used.shades)
+      return refuse_all(Pool::shades, used.shades_wanted, used.shades, count, shades.size());
+    if (with_textures && count > textures.size() - used.textures)
+      return refuse_all(Pool::textures, used.textures_wanted, used.textures, count, textures.size());
+    return {};
+  }
+  /// What an assembly has not found room for.
+  Status missing(const PolygonAssembly& assembly, std::uint32_t vertices_missing, bool with_shades,
+                 bool with_textures) {
+    if (vertices_missing != 0) {
+      // Up to three parallel pools: the one with the least room is named.
+      constexpr std::size_t unbounded = ~std::size_t{0};
+      const std::size_t vertices_left = vertices.size() - used.vertices,
+                        shades_left = with_shades ? shades.size() - used.shades : unbounded,
+                        textures_left = with_textures ? textures.size() - used.textures : unbounded;
+      const Status full = refuse(Pool::vertices, used.vertices_wanted, vertices_missing, vertices.size());
+      if (vertices_left < shades_left && vertices_left < textures_left) return full;
+      if (shades_left <= textures_left)
+        return refuse(Pool::shades, used.shades_wanted, vertices_missing, shades.size());
+      return refuse(Pool::textures, used.textures_wanted, vertices_missing, textures.size());
+    }
+    if (assembly.fans_wanted != 0) return refuse(Pool::fans, used.fans_wanted, assembly.fans_wanted, fans.size());
+    if (assembly.polygons_wanted != 0)
+      return refuse(Pool::polygons, used.polygons_wanted, assembly.polygons_wanted, references.size());
+    return {};
+  }
+  /// Bytes of them that a frame's table and vertices take.
+  [[nodiscard]] PoolPeaks taken(const PolygonTable& table) const {
+    PoolPeaks peaks;
+    peaks.instances =
+        table.group_count *
+        (sizeof(PolygonGroup) + sizeof(ShadingGroup) + (Set::has_ramps ? gouraud::ramp_size * 2 : 0) +
+         (Set::has_local_light ? sizeof(LocalLighting) : 0) + (Set::has_pixelwise ? sizeof(PixelwiseGroup) : 0));
+    peaks.vertices = used.vertices * sizeof(ScreenVertex);
+    peaks.shades = used.shades * sizeof(std::uint32_t);
+    peaks.textures = used.textures * (sizeof(TextureVertex) + (Set::has_volumes ? sizeof(std::int32_t) : 0)) +
+                     (Set::has_textures || Set::has_local_light ? table.group_count * sizeof(TexturedGroup) : 0);
+    peaks.polygons = table.polygon_count * sizeof(PolygonReference);
+    peaks.fans = table.fan_count * sizeof(FanTriangle);
+    peaks.buckets = buckets.size_bytes();
+    return peaks;
+  }
+
+ private:
+  /// Counts what does not fit, and says what would.
+  static Status refuse(Pool pool, std::uint32_t& missing_so_far, std::size_t missing, std::size_t size) {
+    missing_so_far += static_cast<std::uint32_t>(missing);
+    return {Fault::pool_full, pool, static_cast<std::uint32_t>(size) + missing_so_far};
+  }
+  /// An instance's vertices fit whole or not at all: the free rest counts as taken by it.
+  static Status refuse_all(Pool pool, std::uint32_t& missing_so_far, std::uint32_t taken, std::size_t count,
+                           std::size_t size) {
+    const std::size_t free_rest = missing_so_far == 0 ? size - taken : 0;
+    return refuse(pool, missing_so_far, count - free_rest, size);
+  }
+};
+
+}  // namespace spanline
