@@ -91,4 +91,17 @@ struct ShaderList {
   }
 };
 
+namespace shader_list {
+template <class List, class... More>
+struct Longer;
+template <class... Shaders, class... More>
+struct Longer<ShaderList<Shaders...>, More...> {
+  using type = ShaderList<Shaders..., More...>;
+};
+}  // namespace shader_list
+
+/// A list of shaders with more behind them.
+template <class List, class... More>
+using WithShaders = typename shader_list::Longer<List, More...>::type;
+
 }  // namespace spanline

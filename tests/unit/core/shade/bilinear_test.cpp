@@ -105,23 +105,14 @@ TEST(Bilinear, BandsAndSpansDrawTheSameBytes) {
   for (int i = 0; i < rounds(24); ++i) {
     const OwnTexture own(random, TexelFormat::rgb565, static_cast<unsigned>(random.between(0, 6)),
                          static_cast<unsigned>(random.between(0, 6)), true);
-    RandomInstance::Wish wish{.closest = 0.5, .farthest = 6, .range_around = false, .vertices = 20};
-    wish.orthographic = random.chance(6);
-    RandomInstance instance(random, wish);
-    add_texture_coordinates(random, instance.owned);
-    for (int v = 0; v < wish.vertices; ++v) instance.owned.vertex_normals.push_back(random_normal(random).packed);
-    instance.mesh = instance.owned.view();
-    const RandomLights lights(random, 1);
-    FrameSettings settings;
-    settings.camera = instance.view.camera;
-    settings.cull = Cull::none;
-    settings.lighting = lights.lighting();
+    const ShadedInstance shaded(random);
     Material material{.colour = {255, 255, 255},
                       .shading = ShadingMode::gouraud,
                       .texturing = {.texture = &own.texture, .filter = TextureFilter::bilinear}};
     material.texturing.mip_mapping = static_cast<MipMapping>(random.between(0, 2));
     using Lit = LevelTextureShader<Rgb565, TextureFilter::bilinear, GouraudTexelLight>;
-    expect_alike_in_bands_and_spans<Alone<Lit>, Alone<Lit, Depth24<>, Spanning>>(instance, settings, material);
+    expect_alike_in_bands_and_spans<Alone<Lit>, Alone<Lit, Depth24<>, Spanning>>(shaded.instance, shaded.settings,
+                                                                                 material);
     ASSERT_FALSE(HasFailure()) << "round " << i;
   }
 }

@@ -150,16 +150,8 @@ TEST(GeneralShader, BandsAndSpansDrawTheSameBytes) {
     const TexelFormat format = formats[random.chance(2) ? 0 : static_cast<std::size_t>(3 + random.between(0, 1))];
     OwnTexture own(random, format, 5, 4, random.chance(2));
     if (random.chance(2)) own.texture.wrap_t = Wrap::clamp;
-    RandomInstance::Wish wish{.closest = 0.5, .farthest = 6, .range_around = false, .vertices = 20};
-    wish.orthographic = random.chance(6);
-    RandomInstance instance(random, wish);
-    add_texture_coordinates(random, instance.owned);
-    for (int v = 0; v < wish.vertices; ++v) instance.owned.vertex_normals.push_back(random_normal(random).packed);
-    instance.mesh = instance.owned.view();
-    FrameSettings settings;
-    settings.camera = instance.view.camera;
-    settings.cull = Cull::none;
-    add_effects(random, settings);
+    ShadedInstance shaded(random);
+    add_effects(random, shaded.settings);
     Material material{.colour = random_colour(random)};
     if (random.chance(2)) material.shading = ShadingMode::gouraud;
     if (!random.chance(4)) material.texturing.texture = &own.texture;
@@ -169,7 +161,7 @@ TEST(GeneralShader, BandsAndSpansDrawTheSameBytes) {
     if (random.chance(3)) material.texturing.coordinates = TextureCoordinates::sphere_map;
     using ByBuffer = GeneralTraits<Rgb565, Depth24<>>;
     using BySpans = GeneralTraits<Rgb565, Depth24<>, false, Spanning>;
-    expect_alike_in_bands_and_spans<ByBuffer, BySpans>(instance, settings, material);
+    expect_alike_in_bands_and_spans<ByBuffer, BySpans>(shaded.instance, shaded.settings, material);
     ASSERT_FALSE(HasFailure()) << "round " << i;
   }
 }

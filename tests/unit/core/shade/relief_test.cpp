@@ -155,31 +155,13 @@ TEST(Relief, BandsAndSpansDrawTheSameBytesWithTextureOrWithout) {
   Random random(3);
   for (int i = 0; i < rounds(30); ++i) {
     const OwnHeights heights(random, 5, 4, 100);
-    RandomInstance instance(random, {.wide = random.chance(4),
-                                     .orthographic = random.chance(6),
-                                     .closest = 0.5,
-                                     .farthest = 6,
-                                     .range_around = false,
-                                     .vertices = 20});
-    OwnedMesh& owned = instance.owned;
-    for (int v = 0; v < 20; ++v) {
-      owned.texture_coordinates.push_back({static_cast<std::int16_t>(random.between(-32768, 32767)),
-                                           static_cast<std::int16_t>(random.between(-32768, 32767))});
-      owned.vertex_normals.push_back(random_normal(random).packed);
-    }
-    for (int t = 0; t < 6; ++t) owned.polygon_normals.push_back(random_normal(random).packed);
-    instance.mesh = owned.view();
-    const RandomLights lights(random, 2);
-    FrameSettings settings;
-    settings.camera = instance.view.camera;
-    settings.cull = Cull::none;
-    settings.lighting = lights.lighting();
-    add_effects(random, settings);
+    ShadedInstance shaded(random);
+    add_effects(random, shaded.settings);
     Material material{random_colour(random), random.chance(2) ? ShadingMode::flat : ShadingMode::gouraud};
     material.relief = {&heights.map, random.chance(2) ? ReliefKind::bump : ReliefKind::emboss};
     if (random.chance(2)) material.texturing.texture = &scenes::textured_wall::texture;
-    expect_alike_in_bands_and_spans<ReliefTraits<Depth24<>>, ReliefTraits<Depth24<>, Spanning>>(instance, settings,
-                                                                                                material);
+    expect_alike_in_bands_and_spans<ReliefTraits<Depth24<>>, ReliefTraits<Depth24<>, Spanning>>(
+        shaded.instance, shaded.settings, material);
     ASSERT_FALSE(HasFailure()) << "round " << i;
   }
 }

@@ -115,4 +115,30 @@ inline void add_effects(Random& random, FrameSettings& settings) {
                     random_colour(random)};
 }
 
+/// Triangles before and around a camera, with texture coordinates and normals of all kinds, and lights.
+struct ShadedInstance {
+  static constexpr int vertices = 20;
+  RandomInstance instance;
+  RandomLights lights;
+  FrameSettings settings;
+
+  explicit ShadedInstance(Random& random)
+      : instance(random, {.wide = random.chance(4),
+                          .orthographic = random.chance(6),
+                          .closest = 0.5,
+                          .farthest = 6,
+                          .range_around = false,
+                          .vertices = vertices}),
+        lights(random, 2) {
+    OwnedMesh& owned = instance.owned;
+    add_texture_coordinates(random, owned);
+    for (int v = 0; v < vertices; ++v) owned.vertex_normals.push_back(random_normal(random).packed);
+    for (int t = 0; t < vertices / 3; ++t) owned.polygon_normals.push_back(random_normal(random).packed);
+    instance.mesh = owned.view();
+    settings.camera = instance.view.camera;
+    settings.cull = Cull::none;
+    settings.lighting = lights.lighting();
+  }
+};
+
 }  // namespace spanline::test

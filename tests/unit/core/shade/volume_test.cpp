@@ -178,26 +178,14 @@ TEST(Volume, BandsAndSpansDrawTheSameBytesOfATable) {
   table.palette = palette;
   ASSERT_TRUE(table.valid());
   for (int i = 0; i < rounds(30); ++i) {
-    RandomInstance instance(random, {.wide = random.chance(4),
-                                     .orthographic = random.chance(6),
-                                     .closest = 0.5,
-                                     .farthest = 6,
-                                     .range_around = false,
-                                     .vertices = 20});
-    for (int v = 0; v < 20; ++v) instance.owned.vertex_normals.push_back(random_normal(random).packed);
-    instance.mesh = instance.owned.view();
-    const RandomLights lights(random, 2);
-    FrameSettings settings;
-    settings.camera = instance.view.camera;
-    settings.cull = Cull::none;
-    settings.lighting = lights.lighting();
-    add_effects(random, settings);
+    ShadedInstance shaded(random);
+    add_effects(random, shaded.settings);
     Material material{random_colour(random), random.chance(2) ? ShadingMode::flat : ShadingMode::gouraud};
     material.volume.source = SolidSource::table;
     material.volume.texture = &table;
     material.volume.exponent = static_cast<std::int8_t>(random.between(-8, 4));
     expect_alike_in_bands_and_spans<SolidTraits<TableSolid>, SolidTraits<TableSolid, Depth24<>, Spanning>>(
-        instance, settings, material);
+        shaded.instance, shaded.settings, material);
     ASSERT_FALSE(HasFailure()) << "round " << i;
   }
 }
