@@ -14,15 +14,12 @@ Drawing draw_by(const Scene& scene, const Manner& manner) {
 }  // namespace
 
 Drawing draw_surfaces(const sim::VisibilityEntry& algorithm, const Scene& scene, const Manner& manner) {
-  Manner own = manner;
-  if (algorithm.full_frame) own.band_lines = 0;
+  const Manner own = manner_for(algorithm, manner);
   return sim::with_visibility(algorithm, [&]<class Visibility>() { return draw_by<Visibility>(scene, own); });
 }
 
 Drawing reference_of_surfaces(const Scene& scene, Manner manner) {
-  manner.band_lines = 0;
-  manner.active.reset();
-  return draw_by<ZBuffer>(scene, manner);
+  return draw_by<ZBuffer>(scene, manner_for_reference(manner));
 }
 
 }  // namespace spanline::contract

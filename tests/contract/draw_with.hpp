@@ -95,4 +95,16 @@ Drawing draw_with(const Scene& scene, const Manner& manner) {
   return drawing;
 }
 
+/// How an algorithm draws in a manner: some work on the whole picture at once.
+inline Manner manner_for(const sim::VisibilityEntry& algorithm, Manner manner) {
+  if (algorithm.full_frame) manner.band_lines = 0;
+  return manner;
+}
+/// How the reference draws.
+inline Manner manner_for_reference(Manner manner) {
+  manner.band_lines = 0;
+  manner.active.reset();
+  return manner;
+}
+
 }  // namespace spanline::contract

@@ -47,16 +47,11 @@ const sim::VisibilityEntry& algorithm(const char* name) {
 }
 
 Drawing draw(const sim::VisibilityEntry& algorithm, const Scene& scene, const Manner& manner) {
-  Manner own = manner;
-  if (algorithm.full_frame) own.band_lines = 0;
+  const Manner own = manner_for(algorithm, manner);
   return sim::with_visibility(algorithm, [&]<class Visibility>() { return draw_by<Visibility>(scene, own); });
 }
 
-Drawing reference(const Scene& scene, Manner manner) {
-  manner.band_lines = 0;
-  manner.active.reset();
-  return draw_by<ZBuffer>(scene, manner);
-}
+Drawing reference(const Scene& scene, Manner manner) { return draw_by<ZBuffer>(scene, manner_for_reference(manner)); }
 
 Drawing draw_16_bits(const sim::VisibilityEntry& algorithm, const Scene& scene) {
   Manner manner;

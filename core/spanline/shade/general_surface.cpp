@@ -103,10 +103,8 @@ TexelSource GeneralSurface::texels_at(std::int32_t column) const {
   const Texturing& texturing = group->texturing;
   if (texturing.mip_mapping == MipMapping::none) return TexelSource::of(*texturing.texture, 0);
   std::int32_t wanted = density.of_polygon;
-  if (texturing.mip_mapping == MipMapping::span && plane.way != TexturePlane::Way::affine) {
-    const std::int32_t middle = ((column + plane.origin) & ~15) + 8 - plane.origin;
-    wanted = density.at(plane.w.at(middle));
-  }
+  if (texturing.mip_mapping == MipMapping::span && plane.way != TexturePlane::Way::affine)
+    wanted = density.of_group(plane, TexelDensity::group_of(plane, column));
   return TexelSource::of(*texturing.texture, TexelDensity::level(wanted, texturing.texture->levels));
 }
 

@@ -39,13 +39,13 @@ class LevelTexels {
   void start(const TexturePlane& plane, std::int32_t column) {
     if (!by_span_ || plane.way == TexturePlane::Way::affine) return;
     plane_ = &plane;
-    group_ = (column + plane.origin) & -group_columns;
+    group_ = TexelDensity::group_of(plane, column);
     take_level_of_group();
   }
   /// Goes to the next 16 columns of the screen.
   void next_block() {
     if (plane_ == nullptr) return;
-    group_ += group_columns;
+    group_ += TexelDensity::group_columns;
     take_level_of_group();
   }
 
@@ -82,12 +82,11 @@ class LevelTexels {
   [[nodiscard]] static bool present(std::uint32_t) { return true; }
 
  private:
-  static constexpr std::int32_t group_columns = 16;
   static constexpr unsigned distance_bits = Filter == TextureFilter::bilinear ? 5 : 0;  ///< of a texel
 
   [[nodiscard]] unsigned level_of(std::int32_t density) const { return TexelDensity::level(density, texture_->levels); }
   void take_level_of_group() {
-    const unsigned level = level_of(density_.at(plane_->w.at(group_ + group_columns / 2 - plane_->origin)));
+    const unsigned level = level_of(density_.of_group(*plane_, group_));
     if (level != level_) take(level);
   }
   void take(unsigned level) {

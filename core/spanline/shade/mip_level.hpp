@@ -16,8 +16,18 @@ struct TexelDensity {
 
   /// The nearest level: halves of its sizes go to the larger texture.
   [[nodiscard]] static unsigned level(std::int32_t density, unsigned levels);
-  /// Density where the word of w is `w`; `otherwise` where that word means nothing.
+  /// Density where the word of w is `w`; the polygon's where that word means nothing.
   [[nodiscard]] std::int32_t at(std::uint32_t w) const;
+
+  static constexpr std::int32_t group_columns = 16;
+  /// Where on the screen the columns begin that have one level together, of which `column` of a plane is one.
+  [[nodiscard]] static std::int32_t group_of(const TexturePlane& plane, std::int32_t column) {
+    return (column + plane.origin) & -group_columns;
+  }
+  /// Density in the middle of those columns, on a plane in perspective.
+  [[nodiscard]] std::int32_t of_group(const TexturePlane& plane, std::int32_t group) const {
+    return at(plane.w.at(group + group_columns / 2 - plane.origin));
+  }
 };
 
 /// log2 of a value ≥ 1 in 256ths, good to 3 of them.

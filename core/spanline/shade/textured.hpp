@@ -101,7 +101,7 @@ struct GouraudTexelLight {
 };
 
 /// A texture under white light: `Texels` reads it, `Light` shades it. For surfaces of one colour, which is white, in
-/// modes that `GeneralTextureShader` has as well; this is their fast form.
+/// modes that `GeneralShader` has as well; this is their fast form.
 template <class Format, class Texels, class Light>
 struct TextureShader {
   using Pixel = typename Format::Pixel;
