@@ -1,6 +1,8 @@
 // Benchmark scenes of the documentation, measured in instructions of the emulated core: one warm frame, clears apart.
 // Prints `bench <scene> <visibility> <depth> <band> <instructions> <crc> <peak bytes>` for each.
 #include <bunny.hpp>
+#include <spanline/frame/ready_made_traits.hpp>
+#include <spanline/model/cull.hpp>
 
 #include "board.hpp"
 #include "measured_frame.hpp"

@@ -2,6 +2,8 @@
 // and by their number at a constant total area. Prints `compare <table> <complexity or polygons> <leg> <visibility>
 // <instructions> <pixels>` for each; 0 instructions where more polygons are awake than the pool holds.
 #include <algorithm>
+#include <spanline/frame/ready_made_traits.hpp>
+#include <spanline/model/cull.hpp>
 
 #include "board.hpp"
 #include "measured_frame.hpp"

@@ -7,8 +7,10 @@
 #include "board.hpp"
 #include "display.hpp"
 #include "picture_memory.hpp"
+#include "spanline/frame/ready_made_traits.hpp"
 #include "spanline/frame/renderer.hpp"
 #include "spanline/hal/present.hpp"
+#include "spanline/model/cull.hpp"
 
 namespace {
 

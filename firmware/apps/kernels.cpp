@@ -3,6 +3,7 @@
 #include <bunny.hpp>
 #include <cstddef>
 #include <cstdint>
+#include <spanline/frame/ready_made_traits.hpp>
 
 #include "board.hpp"
 #include "cycle_markers.hpp"

@@ -11,6 +11,8 @@
 #include "scenes/screen_soups.hpp"
 #include "scenes/textured_wall.hpp"
 #include "spanline/frame/band_partner.hpp"
+#include "spanline/frame/ready_made_traits.hpp"
+#include "spanline/model/cull.hpp"
 
 namespace {
 

@@ -6,9 +6,10 @@
 #include <span>
 #include <string_view>
 
+#include "spanline/finish/canvas.hpp"
+#include "spanline/finish/utf8_reader.hpp"
 #include "spanline/math/trigonometry.hpp"
 #include "spanline/raster/screen_vertex.hpp"
-#include "spanline/shade/canvas.hpp"
 
 namespace spanline::scenes {
 

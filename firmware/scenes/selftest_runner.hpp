@@ -7,8 +7,9 @@
 
 #include "scenes/crc32.hpp"
 #include "scenes/selftest_table.hpp"
-#include "spanline/frame/arena.hpp"
+#include "spanline/frame/ready_made_traits.hpp"
 #include "spanline/frame/renderer.hpp"
+#include "spanline/memory/arena.hpp"
 
 namespace spanline::scenes {
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <spanline/model/cull.hpp>
 
 #include "scenes/model_view.hpp"
 #include "scenes/prisms_mesh.hpp"

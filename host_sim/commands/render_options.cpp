@@ -7,6 +7,7 @@
 
 #include "base/failure.hpp"
 #include "base/output_file.hpp"
+#include "spanline/model/cull.hpp"
 #include "spanline/model/light.hpp"
 
 namespace spanline::sim {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "base/failure.hpp"
-#include "spanline/shade/pixel_format.hpp"
+#include "spanline/pixel/pixel_format.hpp"
 
 namespace spanline::sim {
 namespace {

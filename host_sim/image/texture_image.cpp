@@ -7,7 +7,7 @@
 #include "base/failure.hpp"
 #include "image/palette.hpp"
 #include "image/resized.hpp"
-#include "spanline/shade/pixel_format.hpp"
+#include "spanline/pixel/pixel_format.hpp"
 
 namespace spanline::sim {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "registry/registry.hpp"
 #include "spanline/frame/traits.hpp"
+#include "spanline/visibility/span/spanning_scan_line.hpp"
 
 namespace spanline::sim {
 

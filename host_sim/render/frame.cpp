@@ -6,8 +6,9 @@
 #include "base/failure.hpp"
 #include "registry/visibility_list.hpp"
 #include "scene/core_values.hpp"
+#include "spanline/finish/average_samples.hpp"
 #include "spanline/frame/pick.hpp"
-#include "spanline/shade/average.hpp"
+#include "spanline/frame/ready_made_traits.hpp"
 
 namespace spanline::sim {
 namespace {

@@ -12,6 +12,8 @@
 #include "scene/core_mesh.hpp"
 #include "scene/lighting.hpp"
 #include "spanline/frame/renderer.hpp"
+#include "spanline/model/cull.hpp"
+#include "spanline/visibility/counters.hpp"
 
 namespace spanline::sim {
 

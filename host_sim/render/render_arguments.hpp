@@ -13,6 +13,7 @@
 #include "scene/view.hpp"
 #include "scene/world.hpp"
 #include "spanline/frame/renderer.hpp"
+#include "spanline/model/cull.hpp"
 
 namespace spanline::sim {
 

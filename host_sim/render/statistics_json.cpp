@@ -1,4 +1,5 @@
 #include "render/statistics_json.hpp"
+#include <spanline/visibility/counters.hpp>
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,5 @@
 #include "view/viewer.hpp"
+#include <spanline/model/cull.hpp>
 
 #include <algorithm>
 #include <array>

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "scenes/model_view.hpp"
+#include "spanline/frame/ready_made_traits.hpp"
 #include "spanline/frame/renderer.hpp"
 #include "spanline/geometry/view_space.hpp"
 

@@ -1,4 +1,5 @@
 #include "draw_surfaces.hpp"
+#include <spanline/frame/ready_made_traits.hpp>
 
 #include "draw_with.hpp"
 #include "registry/visibility_list.hpp"

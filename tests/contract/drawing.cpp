@@ -1,4 +1,5 @@
 #include "drawing.hpp"
+#include <spanline/frame/ready_made_traits.hpp>
 
 #include <stdexcept>
 #include <string_view>

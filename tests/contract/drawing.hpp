@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <spanline/visibility/counters.hpp>
 #include <vector>
 
 #include "registry/registry.hpp"

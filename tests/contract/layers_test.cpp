@@ -9,7 +9,7 @@
 
 #include "generators.hpp"
 #include "layers.hpp"
-#include "spanline/shade/stipple.hpp"
+#include "spanline/shade/layer/stipple.hpp"
 #include "support/effort.hpp"
 #include "support/exact_triangle.hpp"
 #include "verdict.hpp"

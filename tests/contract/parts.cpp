@@ -1,4 +1,5 @@
 #include "parts.hpp"
+#include <spanline/model/cull.hpp>
 
 #include <cmath>
 #include <numbers>

@@ -3,6 +3,7 @@
 
 #include "scene.hpp"
 #include "spanline/math/fixed.hpp"
+#include "spanline/model/cull.hpp"
 #include "support/random.hpp"
 
 namespace spanline::contract {

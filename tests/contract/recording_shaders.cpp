@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "spanline/shade/shader_list.hpp"
+#include "spanline/visibility/span/spanning_scan_line.hpp"
 #include "support/studio.hpp"
 
 namespace spanline::contract {

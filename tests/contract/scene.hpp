@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "spanline/frame/renderer.hpp"
+#include "spanline/model/cull.hpp"
 #include "support/owned_mesh.hpp"
 #include "support/random_texture.hpp"
 #include "support/screen_triangle.hpp"

@@ -7,6 +7,8 @@
 #include <exception>
 #include <fstream>
 #include <sans_14.hpp>
+#include <spanline/frame/ready_made_traits.hpp>
+#include <spanline/model/cull.hpp>
 #include <stdexcept>
 #include <string>
 #include <teapot.hpp>

@@ -11,18 +11,26 @@ string_view
 tuple type_traits utility arm_acle.h""".split()  # the last is gcc's own
 
 CORE = "core/spanline/"
-CORE_ROOMS = [CORE + room for room in ("math", "model", "geometry", "raster", "visibility", "shade", "frame")]
+WAIST = [CORE + f"raster/{name}.hpp" for name in ("span", "surface_blocks", "link", "polygon_corners", "screen_vertex")]
+CORE_ROOMS = [CORE + room for room in ("memory", "math", "model", "pixel", "raster", "cpu", "world", "geometry", "visibility", "shade",
+                                       "finish", "frame")]
 
 # Room, and what it may include beside itself: rooms (folders) or single headers. First match wins.
 RULES = {
+    CORE + "memory": [],
     CORE + "math": [],
-    CORE + "model": [CORE + "math"],
-    CORE + "geometry": [CORE + "math", CORE + "model", CORE + "raster"],
-    CORE + "raster": [CORE + "math"],
-    CORE + "visibility": [CORE + "raster"],
+    CORE + "model": [CORE + "memory", CORE + "math"],
+    CORE + "pixel": [CORE + "math", CORE + "model/colour.hpp"],
+    CORE + "raster": [CORE + "memory", CORE + "math"],
+    CORE + "cpu": [CORE + "math", CORE + "raster", CORE + "pixel"],
+    CORE + "world": [CORE + "memory", CORE + "math", CORE + "model", CORE + "raster"],
+    CORE + "geometry": [CORE + "memory", CORE + "math", CORE + "model", CORE + "raster", CORE + "cpu"],
+    CORE + "visibility": [CORE + "memory", CORE + "math", CORE + "raster", CORE + "pixel", CORE + "cpu", CORE + "world"],
     # Shaders fill linear functions of (x, y) and read the words that a vertex carries: raster lends them both beside the waist.
-    CORE + "shade": [CORE + "raster/span.hpp", CORE + "raster/linear_function.hpp", CORE + "raster/vertex_shade.hpp",
-                     CORE + "raster/texture_vertex.hpp", CORE + "math", CORE + "model"],
+    CORE + "shade": [*WAIST, CORE + "raster/linear_function.hpp", CORE + "raster/vertex_shade.hpp",
+                     CORE + "raster/texture_vertex.hpp", CORE + "raster/make_surface.hpp", CORE + "math", CORE + "model", CORE + "pixel",
+                     CORE + "cpu"],
+    CORE + "finish": [CORE + "math", CORE + "model", CORE + "pixel"],
     CORE + "frame": CORE_ROOMS,
     "hal": [],
     "firmware/boards": ["hal"],

@@ -5,13 +5,14 @@
 #include <cstdint>
 #include <span>
 
-#include "spanline/frame/arena.hpp"
-#include "spanline/frame/capacity.hpp"
 #include "spanline/frame/status.hpp"
+#include "spanline/memory/arena.hpp"
+#include "spanline/memory/capacity.hpp"
+#include "spanline/pixel/fill_constant.hpp"
 #include "spanline/raster/polygon_table.hpp"
-#include "spanline/shade/fill_constant.hpp"
 #include "spanline/shade/shading_group.hpp"
 #include "spanline/visibility/algorithm.hpp"
+#include "spanline/visibility/counters.hpp"
 
 namespace spanline {
 

@@ -5,6 +5,8 @@
 #include <span>
 
 #include "spanline/frame/renderer.hpp"
+#include "spanline/raster/link.hpp"
+#include "spanline/visibility/counters.hpp"
 
 namespace spanline {
 

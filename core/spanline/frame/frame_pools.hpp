@@ -4,12 +4,13 @@
 #include <cstdint>
 #include <span>
 
-#include "spanline/frame/arena.hpp"
 #include "spanline/frame/band_drawer.hpp"
-#include "spanline/frame/capacity.hpp"
 #include "spanline/frame/shader_choice.hpp"
 #include "spanline/frame/status.hpp"
 #include "spanline/geometry/polygon_assembly.hpp"
+#include "spanline/memory/arena.hpp"
+#include "spanline/memory/capacity.hpp"
+#include "spanline/raster/link.hpp"
 
 namespace spanline {
 

@@ -4,6 +4,7 @@
 #include "spanline/geometry/polygon_assembly.hpp"
 #include "spanline/model/camera.hpp"
 #include "spanline/model/colour.hpp"
+#include "spanline/model/cull.hpp"
 #include "spanline/model/fog.hpp"
 #include "spanline/model/light.hpp"
 

@@ -1,5 +1,6 @@
 // The renderers that most programs want, compiled into the library, so that the checks of its symbols (no heap, no
 // floating point, no exceptions) see the templates as well.
+#include "spanline/frame/ready_made_traits.hpp"
 #include "spanline/frame/renderer.hpp"
 
 namespace spanline {

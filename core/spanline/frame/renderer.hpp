@@ -4,9 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "spanline/frame/arena.hpp"
 #include "spanline/frame/band_drawer.hpp"
-#include "spanline/frame/capacity.hpp"
 #include "spanline/frame/frame_pools.hpp"
 #include "spanline/frame/frame_settings.hpp"
 #include "spanline/frame/shader_choice.hpp"
@@ -15,6 +13,13 @@
 #include "spanline/frame/traits.hpp"
 #include "spanline/geometry/instance.hpp"
 #include "spanline/geometry/polygon_assembly.hpp"
+#include "spanline/geometry/vertex_store.hpp"
+#include "spanline/memory/arena.hpp"
+#include "spanline/memory/capacity.hpp"
+#include "spanline/model/cull.hpp"
+#include "spanline/raster/band_of_row.hpp"
+#include "spanline/raster/link.hpp"
+#include "spanline/visibility/counters.hpp"
 
 namespace spanline {
 

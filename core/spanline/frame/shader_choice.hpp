@@ -3,7 +3,21 @@
 #include <type_traits>
 
 #include "spanline/frame/traits.hpp"
-#include "spanline/shade/lighting.hpp"
+#include "spanline/model/material.hpp"
+#include "spanline/shade/general/general_shader.hpp"
+#include "spanline/shade/item_shaders.hpp"
+#include "spanline/shade/layer/see_through.hpp"
+#include "spanline/shade/layer/translucent.hpp"
+#include "spanline/shade/light/flat.hpp"
+#include "spanline/shade/light/gouraud.hpp"
+#include "spanline/shade/light/lighting.hpp"
+#include "spanline/shade/light/local_flat.hpp"
+#include "spanline/shade/pixelwise/relief.hpp"
+#include "spanline/shade/pixelwise/volume.hpp"
+#include "spanline/shade/polygon_id.hpp"
+#include "spanline/shade/shader_list.hpp"
+#include "spanline/shade/texture/fogged_texel_light.hpp"
+#include "spanline/shade/texture/texture_shader.hpp"
 
 namespace spanline {
 

@@ -6,8 +6,10 @@
 #include "spanline/frame/frame_pools.hpp"
 #include "spanline/frame/frame_settings.hpp"
 #include "spanline/frame/shader_choice.hpp"
+#include "spanline/geometry/vertex_store.hpp"
 #include "spanline/model/transform.hpp"
-#include "spanline/shade/lighting.hpp"
+#include "spanline/raster/link.hpp"
+#include "spanline/shade/light/lighting.hpp"
 
 namespace spanline {
 

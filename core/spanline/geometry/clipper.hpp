@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "spanline/geometry/view_space.hpp"
+#include "spanline/raster/link.hpp"
 #include "spanline/raster/polygon_table.hpp"
 #include "spanline/raster/vertex_shade.hpp"
 

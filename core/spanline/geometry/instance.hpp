@@ -2,6 +2,7 @@
 #include "spanline/geometry/clipper.hpp"
 #include "spanline/geometry/polygon_assembly.hpp"
 #include "spanline/geometry/projection.hpp"
+#include "spanline/geometry/vertex_store.hpp"
 #include "spanline/geometry/vertex_transform.hpp"
 #include "spanline/geometry/view_space.hpp"
 

@@ -8,7 +8,10 @@
 #include <arm_acle.h>
 #endif
 
+#include "spanline/geometry/vertex_store.hpp"
 #include "spanline/geometry/vertex_transform.hpp"
+#include "spanline/model/cull.hpp"
+#include "spanline/raster/link.hpp"
 
 namespace spanline {
 namespace {

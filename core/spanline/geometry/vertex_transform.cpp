@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "spanline/geometry/transform_armv6m.hpp"
+#include "spanline/cpu/armv6m/transform.hpp"
 #include "spanline/math/bits.hpp"
 #include "spanline/math/integer.hpp"
 #include "spanline/math/reciprocal.hpp"

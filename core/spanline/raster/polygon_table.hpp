@@ -4,6 +4,8 @@
 #include <limits>
 #include <span>
 
+#include "spanline/raster/link.hpp"
+#include "spanline/raster/polygon_corners.hpp"
 #include "spanline/raster/screen_vertex.hpp"
 #include "spanline/raster/span.hpp"
 

@@ -2,8 +2,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "spanline/pixel/fill_constant.hpp"
 #include "spanline/raster/span.hpp"
-#include "spanline/shade/fill_constant.hpp"
+#include "spanline/raster/surface_blocks.hpp"
 
 namespace spanline {
 

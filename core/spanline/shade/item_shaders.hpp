@@ -4,7 +4,10 @@
 #include <cstdint>
 #include <utility>
 
+#include "spanline/raster/link.hpp"
+#include "spanline/raster/polygon_corners.hpp"
 #include "spanline/raster/span.hpp"
+#include "spanline/raster/surface_blocks.hpp"
 #include "spanline/shade/shader_list.hpp"
 
 namespace spanline {

@@ -1,5 +1,6 @@
 #pragma once
-#include "spanline/shade/flat.hpp"
+#include "spanline/raster/polygon_corners.hpp"
+#include "spanline/shade/light/flat.hpp"
 
 namespace spanline {
 

@@ -5,9 +5,9 @@
 #include "spanline/model/light.hpp"
 #include "spanline/model/material.hpp"
 #include "spanline/model/mesh.hpp"
+#include "spanline/pixel/pixel_format.hpp"
 #include "spanline/raster/texture_vertex.hpp"
 #include "spanline/raster/vertex_shade.hpp"
-#include "spanline/shade/pixel_format.hpp"
 
 namespace spanline {
 

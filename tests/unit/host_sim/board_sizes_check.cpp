@@ -1,5 +1,6 @@
 // Compiled, not run, for a 32-bit board: what `convert` says of RAM must be what the renderer takes there.
 #include "convert/board_sizes.hpp"
+#include "spanline/frame/ready_made_traits.hpp"
 #include "spanline/frame/renderer.hpp"
 #include "spanline/model/mesh.hpp"
 

@@ -8,7 +8,7 @@
 #include "image/palette.hpp"
 #include "image/texture_image.hpp"
 #include "image_bytes.hpp"
-#include "spanline/shade/texel_reader.hpp"
+#include "spanline/model/texel_reader.hpp"
 
 namespace spanline::sim::test {
 namespace {

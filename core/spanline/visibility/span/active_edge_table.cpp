@@ -1,5 +1,7 @@
 #include "spanline/visibility/span/active_edge_table.hpp"
 
+#include "spanline/raster/link.hpp"
+
 namespace spanline {
 
 void ActiveEdgeTable::begin_frame(std::span<AwakeKey> keys, std::byte* records, std::size_t capacity,

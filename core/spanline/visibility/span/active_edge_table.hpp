@@ -4,6 +4,7 @@
 #include <span>
 #include <type_traits>
 
+#include "spanline/raster/link.hpp"
 #include "spanline/visibility/span/awake_polygon.hpp"
 
 namespace spanline {

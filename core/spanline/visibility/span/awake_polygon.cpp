@@ -1,5 +1,9 @@
 #include "spanline/visibility/span/awake_polygon.hpp"
 
+#include "spanline/raster/link.hpp"
+#include "spanline/raster/medium_triangle.hpp"
+#include "spanline/raster/polygon_corners.hpp"
+
 namespace spanline {
 namespace {
 

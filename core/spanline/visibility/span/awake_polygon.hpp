@@ -2,7 +2,9 @@
 #include <cstdint>
 
 #include "spanline/raster/active_triangle.hpp"
+#include "spanline/raster/link.hpp"
 #include "spanline/raster/plane_equation.hpp"
+#include "spanline/raster/polygon_corners.hpp"
 #include "spanline/raster/polygon_table.hpp"
 
 namespace spanline {

@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include "spanline/visibility/band_target.hpp"
+#include "spanline/visibility/counters.hpp"
 #include "spanline/visibility/span/awake_polygon.hpp"
 
 namespace spanline {

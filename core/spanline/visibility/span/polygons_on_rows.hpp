@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "spanline/raster/gradients.hpp"
+#include "spanline/raster/link.hpp"
 #include "spanline/raster/polygon_table.hpp"
 
 namespace spanline {

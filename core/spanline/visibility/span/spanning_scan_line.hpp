@@ -5,8 +5,11 @@
 #include <new>
 #include <span>
 
+#include "spanline/raster/link.hpp"
+#include "spanline/raster/make_surface.hpp"
 #include "spanline/raster/plane_equation.hpp"
 #include "spanline/raster/polygon_table.hpp"
+#include "spanline/raster/surface_blocks.hpp"
 #include "spanline/visibility/band_target.hpp"
 #include "spanline/visibility/span/active_edge_table.hpp"
 #include "spanline/visibility/span/layer_sweep.hpp"

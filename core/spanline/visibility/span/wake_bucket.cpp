@@ -1,5 +1,7 @@
 #include "spanline/visibility/span/wake_bucket.hpp"
 
+#include "spanline/raster/link.hpp"
+
 namespace spanline {
 namespace {
 

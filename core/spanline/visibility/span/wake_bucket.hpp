@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 
+#include "spanline/raster/link.hpp"
 #include "spanline/visibility/span/active_edge_table.hpp"
 
 namespace spanline {

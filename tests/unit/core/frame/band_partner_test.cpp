@@ -1,6 +1,8 @@
 // What a renderer and its partner promise beside the picture: memory, order of calls, colour bands, a sink that gives
 // up.
 #include "spanline/frame/band_partner.hpp"
+#include "spanline/frame/ready_made_traits.hpp"
+#include "spanline/model/cull.hpp"
 
 #include <gtest/gtest.h>
 

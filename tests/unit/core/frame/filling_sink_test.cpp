@@ -5,8 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "spanline/visibility/deferred.hpp"
-#include "spanline/visibility/depth_buffer.hpp"
+#include "spanline/frame/ready_made_traits.hpp"
+#include "spanline/visibility/zbuffer/deferred.hpp"
+#include "spanline/visibility/zbuffer/depth_buffer.hpp"
 #include "support/owned_mesh.hpp"
 #include "support/studio.hpp"
 

@@ -1,5 +1,6 @@
 // Frames: settings that are refused, sinks that fail, shaders that are missing, buffers that take turns.
 #include <gtest/gtest.h>
+#include <spanline/frame/ready_made_traits.hpp>
 
 #include <vector>
 

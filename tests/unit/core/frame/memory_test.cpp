@@ -1,5 +1,6 @@
 // The caller's memory: bytes_needed is enough at any alignment, and less is refused.
 #include <gtest/gtest.h>
+#include <spanline/frame/ready_made_traits.hpp>
 
 #include <vector>
 

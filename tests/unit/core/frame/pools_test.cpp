@@ -1,5 +1,7 @@
 // Pools that are too small: the Status names the pool and a size that is enough; the rest is drawn, the same way twice.
 #include <gtest/gtest.h>
+#include <spanline/frame/ready_made_traits.hpp>
+#include <spanline/model/cull.hpp>
 
 #include <functional>
 #include <vector>

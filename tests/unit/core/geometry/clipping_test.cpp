@@ -1,5 +1,6 @@
 // Clipping to the near plane, the far plane and the guard band: closed meshes stay closed, every pixel is written once.
 #include <gtest/gtest.h>
+#include <spanline/model/cull.hpp>
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,7 @@
 // Culling leaves out nothing that shows: bounding spheres against the frustum, orientation, and the counts of the sets.
 #include "spanline/geometry/polygon_assembly.hpp"
+#include "spanline/model/cull.hpp"
+#include "spanline/raster/band_of_row.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "spanline/frame/ready_made_traits.hpp"
 #include "spanline/geometry/instance.hpp"
 #include "support/effort.hpp"
 #include "support/exact_view.hpp"

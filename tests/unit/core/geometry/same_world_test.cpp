@@ -1,6 +1,8 @@
 // Different ways to say the same world draw the same bytes: n-gons and their fans, step exponents and scales, units.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <spanline/frame/ready_made_traits.hpp>
+#include <spanline/model/cull.hpp>
 
 #include <vector>
 

@@ -1,6 +1,8 @@
 // Against a conventional renderer in floating point: corners where they fall, edge functions, depth linear on screen, a
 // z-buffer of doubles. At most one pixel in a hundred may differ (snapping to sixteenths, depth in whole units).
 #include <gtest/gtest.h>
+#include <spanline/frame/ready_made_traits.hpp>
+#include <spanline/model/cull.hpp>
 
 #include <cmath>
 #include <vector>

@@ -1,5 +1,7 @@
 #pragma once
 #include <span>
+#include <spanline/frame/ready_made_traits.hpp>
+#include <spanline/model/cull.hpp>
 #include <vector>
 
 #include "support/studio.hpp"

@@ -1,6 +1,8 @@
 // The z-buffer cases that the source lectures work through (seeds: lectures 000, 001, 002 and 003), against their
 // tables.
 #include <gtest/gtest.h>
+#include <spanline/frame/ready_made_traits.hpp>
+#include <spanline/model/cull.hpp>
 
 #include <array>
 #include <cmath>

@@ -1,5 +1,7 @@
 // Every pixel that a triangle covers, and no other, against exact edge functions.
 #include <gtest/gtest.h>
+#include <spanline/frame/ready_made_traits.hpp>
+#include <spanline/raster/surface_blocks.hpp>
 
 #include "support/effort.hpp"
 #include "support/exact_triangle.hpp"

@@ -1,5 +1,7 @@
 // The depth of every covered pixel against the exact plane of the snapped triangle (promise 5).
 #include <gtest/gtest.h>
+#include <spanline/frame/ready_made_traits.hpp>
+#include <spanline/raster/surface_blocks.hpp>
 
 #include "support/effort.hpp"
 #include "support/exact_triangle.hpp"

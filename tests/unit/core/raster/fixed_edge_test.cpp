@@ -2,8 +2,10 @@
 // and row.
 #include <gtest/gtest.h>
 
+#include "spanline/frame/ready_made_traits.hpp"
 #include "spanline/raster/medium_triangle.hpp"
 #include "spanline/raster/small_triangle.hpp"
+#include "spanline/raster/surface_blocks.hpp"
 #include "support/effort.hpp"
 #include "support/exact_triangle.hpp"
 #include "support/random.hpp"

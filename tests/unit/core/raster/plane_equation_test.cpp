@@ -1,9 +1,10 @@
 // A triangle has one plane: what algorithms ask PlaneEquation for is what set-up gives an active triangle.
 #include "spanline/raster/plane_equation.hpp"
+#include "spanline/raster/attribute_gradients.hpp"
 
 #include <gtest/gtest.h>
 
-#include "spanline/raster/active_triangle.hpp"
+#include "spanline/raster/triangle_setup.hpp"
 #include "support/effort.hpp"
 #include "support/triangle_kinds.hpp"
 

@@ -3,6 +3,9 @@
 // Later triangles are nearer, so that each fragment wins its depth test: fragments tested, pixels written and pixels
 // that show something are one number if every pixel is written once.
 #include <gtest/gtest.h>
+#include <spanline/frame/ready_made_traits.hpp>
+#include <spanline/raster/surface_blocks.hpp>
+#include <spanline/visibility/counters.hpp>
 
 #include <algorithm>
 #include <vector>

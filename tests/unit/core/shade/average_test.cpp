@@ -1,6 +1,7 @@
 // Several samples a pixel: their mean, and stochastic transparency, which comes nearer to blending as samples are
 // added.
-#include "spanline/shade/average.hpp"
+#include "spanline/finish/average_samples.hpp"
+#include "spanline/model/cull.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "spanline/shade/premultiplied.hpp"
+#include "spanline/pixel/premultiplied.hpp"
 #include "support/random.hpp"
 #include "support/studio.hpp"
 

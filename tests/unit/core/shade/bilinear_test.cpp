@@ -5,7 +5,7 @@
 
 #include "shade/shading_scene.hpp"
 #include "shade/wall_picture.hpp"
-#include "spanline/shade/texel_reader.hpp"
+#include "spanline/model/texel_reader.hpp"
 #include "support/effort.hpp"
 
 namespace spanline::test {

@@ -1,5 +1,6 @@
 // Two dimensions on top: the same picture at every band height, nothing outside it, lines where they belong, and text.
-#include "spanline/shade/canvas.hpp"
+#include "spanline/finish/canvas.hpp"
+#include "spanline/finish/utf8_reader.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "spanline/shade/flat.hpp"
-#include "spanline/shade/gouraud.hpp"
+#include "spanline/shade/light/flat.hpp"
+#include "spanline/shade/light/gouraud.hpp"
 
 namespace spanline::test {
 namespace {

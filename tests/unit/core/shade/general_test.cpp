@@ -7,7 +7,8 @@
 
 #include "shade/shading_scene.hpp"
 #include "shade/wall_picture.hpp"
-#include "spanline/shade/texel_reader.hpp"
+#include "spanline/frame/ready_made_traits.hpp"
+#include "spanline/model/texel_reader.hpp"
 #include "support/effort.hpp"
 
 namespace spanline::test {

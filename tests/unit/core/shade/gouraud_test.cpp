@@ -1,5 +1,6 @@
 // Gouraud shading against exact interpolation over the screen: within one level of a channel.
 #include <gtest/gtest.h>
+#include <spanline/raster/surface_blocks.hpp>
 
 #include "shade/shading_scene.hpp"
 #include "support/effort.hpp"

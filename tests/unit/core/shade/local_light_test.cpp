@@ -4,8 +4,9 @@
 #include <optional>
 
 #include "shade/shading_scene.hpp"
+#include "spanline/frame/ready_made_traits.hpp"
 #include "spanline/math/inverse_root.hpp"
-#include "spanline/shade/power.hpp"
+#include "spanline/math/power.hpp"
 #include "support/effort.hpp"
 #include "support/one_coloured.hpp"
 

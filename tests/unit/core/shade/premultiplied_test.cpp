@@ -1,12 +1,12 @@
 // Premultiplied alpha against exact rationals: every coverage, every pair of channel values.
-#include "spanline/shade/premultiplied.hpp"
+#include "spanline/pixel/premultiplied.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <vector>
 
-#include "spanline/shade/pixel_format.hpp"
+#include "spanline/pixel/pixel_format.hpp"
 #include "support/random.hpp"
 
 namespace spanline::test {

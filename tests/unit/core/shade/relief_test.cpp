@@ -7,7 +7,8 @@
 
 #include "shade/shading_scene.hpp"
 #include "shade/wall_picture.hpp"
-#include "spanline/shade/lit_texel.hpp"
+#include "spanline/frame/ready_made_traits.hpp"
+#include "spanline/shade/pixelwise/lit_texel.hpp"
 #include "support/effort.hpp"
 
 namespace spanline::test {

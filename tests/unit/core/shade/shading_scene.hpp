@@ -1,6 +1,8 @@
 #pragma once
 #include <array>
 #include <cmath>
+#include <spanline/frame/ready_made_traits.hpp>
+#include <spanline/model/cull.hpp>
 #include <vector>
 
 #include "support/exact_triangle.hpp"

@@ -1,5 +1,5 @@
 // Stipples: the share of pixels that is there, and what is seen through two layers.
-#include "spanline/shade/stipple.hpp"
+#include "spanline/shade/layer/stipple.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // Textures in fog by their fast form against formulas in floating point, and by every path the same bytes.
 #include <gtest/gtest.h>
+#include <spanline/frame/ready_made_traits.hpp>
 
 #include <cmath>
 

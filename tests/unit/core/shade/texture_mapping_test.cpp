@@ -5,7 +5,10 @@
 #include <vector>
 
 #include "scenes/textured_wall.hpp"
+#include "spanline/frame/ready_made_traits.hpp"
 #include "spanline/geometry/instance.hpp"
+#include "spanline/model/cull.hpp"
+#include "spanline/raster/surface_blocks.hpp"
 #include "support/effort.hpp"
 #include "support/exact_triangle.hpp"
 #include "support/exact_view.hpp"

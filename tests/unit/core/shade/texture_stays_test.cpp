@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "shade/wall_picture.hpp"
+#include "spanline/frame/ready_made_traits.hpp"
 #include "spanline/geometry/instance.hpp"
+#include "spanline/model/cull.hpp"
 #include "support/effort.hpp"
 
 namespace spanline::test {

@@ -1,11 +1,13 @@
 // Opacity that varies over a polygon, by its vertices and by its texels, against formulas in floating point.
-#include "spanline/shade/translucent.hpp"
+#include "spanline/shade/layer/translucent.hpp"
+#include "spanline/frame/ready_made_traits.hpp"
+#include "spanline/model/cull.hpp"
 
 #include <cmath>
 
 #include "shade/shading_scene.hpp"
 #include "shade/wall_picture.hpp"
-#include "spanline/shade/texel_reader.hpp"
+#include "spanline/model/texel_reader.hpp"
 #include "support/effort.hpp"
 
 namespace spanline::test {

@@ -1,5 +1,6 @@
 // Surfaces cut from solids: the colour of every pixel is that of its point in the mesh's space.
 #include <gtest/gtest.h>
+#include <spanline/model/cull.hpp>
 
 #include <array>
 #include <cmath>

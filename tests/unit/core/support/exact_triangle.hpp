@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <spanline/raster/surface_blocks.hpp>
 
 #include "support/screen_triangle.hpp"
 

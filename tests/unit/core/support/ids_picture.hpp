@@ -1,4 +1,5 @@
 #pragma once
+#include <spanline/frame/ready_made_traits.hpp>
 #include "support/studio.hpp"
 
 namespace spanline::test {

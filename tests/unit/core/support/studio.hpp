@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "spanline/frame/band_partner.hpp"
+#include "spanline/model/cull.hpp"
 #include "support/screen_triangle.hpp"
 
 namespace spanline::test {

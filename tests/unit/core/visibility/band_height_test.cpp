@@ -1,5 +1,7 @@
 // zbuffer (one band) and scanline-z (any other height) draw the same bytes: colours, depths and ids (promise 3).
 #include <gtest/gtest.h>
+#include <spanline/frame/ready_made_traits.hpp>
+#include <spanline/model/cull.hpp>
 
 #include <bunny.hpp>
 #include <teapot.hpp>

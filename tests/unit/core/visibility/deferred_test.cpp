@@ -1,5 +1,8 @@
 // Deferred shading by an item buffer: the same bytes as shading at once, and each pixel shaded once.
-#include "spanline/visibility/deferred.hpp"
+#include "spanline/visibility/zbuffer/deferred.hpp"
+#include "spanline/frame/ready_made_traits.hpp"
+#include "spanline/model/cull.hpp"
+#include "spanline/raster/link.hpp"
 
 #include <gtest/gtest.h>
 

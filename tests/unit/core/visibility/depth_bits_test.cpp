@@ -1,6 +1,7 @@
 // 16 bits against 24: pictures differ only where two depths lie within two 16-bit units of each other (design, section
 // 5).
 #include <gtest/gtest.h>
+#include <spanline/frame/ready_made_traits.hpp>
 
 #include <cmath>
 #include <vector>

@@ -1,5 +1,6 @@
 // Both senses of depth draw the same picture, and their depths are complements.
 #include <gtest/gtest.h>
+#include <spanline/frame/ready_made_traits.hpp>
 
 #include <vector>
 

@@ -1,5 +1,7 @@
 // Which polygon a pixel shows: the nearest, and at equal depth the one that was submitted first.
 #include <gtest/gtest.h>
+#include <spanline/frame/ready_made_traits.hpp>
+#include <spanline/raster/surface_blocks.hpp>
 
 #include <vector>
 

@@ -1,0 +1,72 @@
+#pragma once
+#include <algorithm>
+#include <cstdint>
+
+#include "spanline/raster/active_triangle.hpp"
+#include "spanline/raster/medium_triangle.hpp"
+#include "spanline/raster/polygon_corners.hpp"
+#include "spanline/raster/small_triangle.hpp"
+#include "spanline/raster/triangle_setup.hpp"
+
+namespace spanline {
+
+/// Puts the third edge of a triangle in place, at the row of its bend.
+inline void put_third_edge(ActiveTriangle& triangle, const PolygonCorners& corners) {
+  triangle.flags.set_bent();
+  if (triangle.flags.size() == ActiveTriangle::Size::large)
+    bend_large(corners, triangle);
+  else
+    triangle.fixed.bend(triangle.flags.right_bends());
+}
+
+/// The columns of a row, counted from the triangle's column of origin; those of large triangles may leave the viewport.
+struct RowColumns {
+  std::int32_t first, end;
+};
+
+/// Steps the edges and counts of rows of a triangle to its next row, for code that has no time to save. Output: the
+/// columns of the row that it stood on. `corners_of` gives its corners where the bend is met.
+template <class CornersOf>
+RowColumns step_row(ActiveTriangle& triangle, CornersOf corners_of) {
+  if (triangle.rows_to_bend == 0 && !triangle.flags.bent()) put_third_edge(triangle, corners_of());
+  RowColumns columns;
+  if (triangle.flags.size() == ActiveTriangle::Size::large) {
+    columns = {triangle.large.left.x, triangle.large.right.x};
+    triangle.large.skip_rows(1);
+  } else {
+    const int fraction_bits = triangle.flags.size() == ActiveTriangle::Size::small ? small_triangle::fraction_bits
+                                                                                   : medium_triangle::fraction_bits;
+    columns = {signed_word(triangle.fixed.left >> fraction_bits), signed_word(triangle.fixed.right >> fraction_bits)};
+    triangle.fixed.next_row();
+  }
+  ++triangle.row;
+  --(triangle.rows_to_bend != 0 ? triangle.rows_to_bend : triangle.rows_after_bend);
+  return columns;
+}
+
+/// Steps an active triangle and its surface over the rows above `end_row` (biased), to the very words that drawing them
+/// would have left. False if the triangle ends there. `corners_of` gives its corners where the bend is met.
+template <class Surface, class CornersOf>
+[[nodiscard]] bool skip_rows(ActiveTriangle& triangle, Surface& surface, std::int32_t end_row, CornersOf corners_of) {
+  if (triangle.end_row() <= end_row) return false;
+  const std::int32_t rows = end_row - triangle.row;
+  const std::int32_t before = std::min(triangle.rows_to_bend, rows), after = rows - before;
+  if (triangle.flags.size() != ActiveTriangle::Size::large) {
+    triangle.skip_rows(before, after);
+  } else {
+    triangle.large.skip_rows(before);
+    if (after > 0) {
+      triangle.row += before;  // where the third edge begins
+      if (!triangle.flags.bent()) put_third_edge(triangle, corners_of());
+      triangle.large.skip_rows(after);
+    }
+    triangle.depth.skip_rows(rows);
+  }
+  triangle.row = end_row;
+  triangle.rows_to_bend -= before;
+  triangle.rows_after_bend -= after;
+  surface.skip_rows(rows);
+  return true;
+}
+
+}  // namespace spanline

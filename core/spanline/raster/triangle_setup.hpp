@@ -1,0 +1,72 @@
+#pragma once
+#include <cstdint>
+
+#include "spanline/raster/active_triangle.hpp"
+#include "spanline/raster/attribute_gradients.hpp"
+#include "spanline/raster/depth_format.hpp"
+#include "spanline/raster/edge.hpp"
+#include "spanline/raster/gradients.hpp"
+#include "spanline/raster/linear_function.hpp"
+#include "spanline/raster/medium_triangle.hpp"
+#include "spanline/raster/plane_equation.hpp"
+#include "spanline/raster/polygon_corners.hpp"
+#include "spanline/raster/polygon_table.hpp"
+#include "spanline/raster/small_triangle.hpp"
+#include "spanline/raster/triangle.hpp"
+
+namespace spanline {
+
+/// Sets up a triangle of any size or position as medium or large. False if it has no rows in the viewport or no
+/// area.
+[[nodiscard]] bool set_up_large(Triangle& t, bool scissored, Viewport viewport, int depth_bits, ActiveTriangle& active,
+                                std::int64_t& area);
+
+/// The wide depth function of a small triangle that is too thin or too steep for the small class's precision.
+void fit_wide_depth(const Triangle& t, std::int64_t area, Viewport viewport, int depth_bits, ActiveTriangle& active);
+
+/// Puts the third edge of a large triangle in place.
+void bend_large(const PolygonCorners& polygon, ActiveTriangle& active);
+
+/// Activates a polygon: edges and plane on its first row inside the viewport. `make_surface` is called with attribute
+/// gradients of either class once it is certain that the triangle has rows. False if there is nothing to draw.
+template <class Depth, class MakeSurface>
+[[nodiscard, gnu::always_inline]] inline bool set_up(const ScreenVertex* p, const ScreenVertex* q,
+                                                     const ScreenVertex* r, const PolygonGroup& group,
+                                                     const Viewport& viewport, ActiveTriangle& active,
+                                                     MakeSurface make_surface) {
+  Triangle t = Triangle::from(p, q, r);
+  const bool scissored = group.scissored && leaves_viewport(t);
+  std::int32_t area = 0;
+  if (!scissored && is_small(t, area)) {
+    if (area < 0) {
+      t.flip();
+      area = -area;
+    }
+    const ThirdEdge third = ThirdEdge::of(t);
+    const std::int32_t first = row_at(t.ay), bend_row = row_at(t.ay + third.y);
+    const std::int32_t end = row_at(t.ay + third.y + third.dy);
+    if (first >= end || area == 0) return false;
+    const std::int32_t row_offset = 16 * first + 8 - t.ay;
+    active.flags = {ActiveTriangle::Size::small, third.on_right, false};
+    active.origin = small_triangle::origin_of(t);
+    active.row = first;
+    active.rows_to_bend = bend_row - first;
+    active.rows_after_bend = end - bend_row;
+    small_triangle::set_edges(t, third, row_offset, 16 * bend_row + 8 - t.ay - third.y, active.fixed);
+    if (!fit_small_depth<Depth>(t, area, row_offset, active.depth)) {
+      // A copy, so that the triangle itself stays in registers on the usual way.
+      const Triangle kept = t;
+      fit_wide_depth(kept, area, viewport, Depth::bits, active);
+    }
+    make_surface(SmallAttributeGradients(t, area, row_offset, active, group.vertices, viewport));
+  } else {
+    Triangle kept = t;
+    std::int64_t wide_area;
+    if (!set_up_large(kept, scissored, viewport, Depth::bits, active, wide_area)) return false;
+    make_surface(AttributeGradients(kept, wide_area, active, group.vertices, viewport));
+  }
+  if constexpr (!Depth::smaller) active.depth = active.depth.complemented();
+  return true;
+}
+
+}  // namespace spanline

@@ -1,0 +1,163 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "spanline/math/bits.hpp"
+#include "spanline/pixel/pixel_format.hpp"
+#include "spanline/pixel/spread_565.hpp"
+#include "spanline/raster/linear_function.hpp"
+#include "spanline/raster/polygon_corners.hpp"
+#include "spanline/shade/general/frame_effects.hpp"
+#include "spanline/shade/shading_group.hpp"
+#include "spanline/shade/texture/texture_shader.hpp"
+
+#if defined(__ARM_FEATURE_SAT)
+#include <arm_acle.h>
+#endif
+
+namespace spanline {
+
+/// Light of texels in a frame with fog: none, a level a polygon or one interpolated between the vertices, and the fog's
+/// share of the pixel.
+///
+/// Both are known where blocks of 16 columns of the screen end: the fog by its table over nearness, the light times
+/// what the fog leaves of it; between them they are linear, and each piece of 4 columns has one level of both. A
+/// channel is (texel · light + fog colour · fog)/32 rounded to nearest, for levels in 32nds rounded to nearest, whose
+/// sum is never above 32.
+struct FoggedTexelLight {
+  static constexpr bool interpolates = true, fogged = true;
+  static constexpr std::uint32_t block = 16, piece = 4;
+
+  /// Two levels of 6 bits and 10 fraction bits.
+  struct Levels {
+    std::uint32_t light, fog;
+  };
+
+  struct Stepper {
+    std::uint32_t light;         ///< level of the piece
+    std::uint32_t fog;           ///< fog colour times its level, spread, and halves
+    std::uint32_t levels, step;  ///< light above fog; a piece
+    const FoggedTexelLight* surface;
+    Levels end;  ///< of the block
+    std::int32_t end_column;
+
+    [[nodiscard]] std::uint32_t apply(std::uint32_t rgb565) const {
+      return spread_565::joined((spread_565::from(rgb565) * light + fog) >> 5 & spread_565::mask);
+    }
+    void forward() {}
+    void back() {}
+    /// To the next piece of the block.
+    void bend() {
+      levels += step;
+      set();
+    }
+    /// To the first piece of the next block.
+    void next_block() {
+      const Levels start = end;
+      end_column += static_cast<std::int32_t>(block);
+      end = surface->levels_at(end_column);
+      const std::int32_t light_way = signed_word(end.light - start.light), fog_way = signed_word(end.fog - start.fog);
+      // Those of the first piece's middle. One of the halves is a unit less, so that levels which make 32 together are
+      // not both rounded up.
+      const std::uint32_t first_light = start.light + word(light_way >> 3) + 511;
+      const std::uint32_t first_fog = start.fog + word(fog_way >> 3) + 512;
+      step = (word(light_way >> 2) << 16) + word(fog_way >> 2);
+      levels = (first_light << 16) + first_fog;
+      set();
+    }
+    void skip(std::uint32_t pieces) {
+      levels += pieces * step;
+      set();
+    }
+
+   private:
+    void set() {
+      constexpr std::uint32_t half = 16u << 21 | 16u << 11 | 16;
+      light = levels >> 26;
+      fog = surface->fog_colour * (levels >> 10 & 63) + half;
+    }
+  };
+
+  LinearFunction light, nearness;  ///< Q28, signed: block ends may lie outside the polygon
+  const FogTable* fog;
+  std::uint32_t fog_colour;
+  std::int16_t origin;  ///< screen column from which columns count
+
+  void next_row() {
+    light.next_row();
+    nearness.next_row();
+  }
+  void skip_rows(std::int32_t rows) {
+    light.skip_rows(rows);
+    nearness.skip_rows(rows);
+  }
+  /// Levels where a block begins.
+  [[nodiscard]] Levels levels_at(std::int32_t column) const {
+    const std::uint32_t share = fog->at(in_28_bits(nearness.at(column)) << 4), share_256 = share + (share >> 7);
+    return {(in_28_bits(light.at(column)) >> 13) * (256 - share_256) >> 8, share_256 << 7};
+  }
+  [[nodiscard]] Stepper at(std::int32_t column) const {
+    const std::uint32_t into = word(column + origin) & (block - 1);
+    Stepper stepper;
+    stepper.surface = this;
+    stepper.end_column = column - signed_word(into);
+    stepper.end = levels_at(stepper.end_column);
+    stepper.next_block();
+    stepper.skip(into / piece);
+    return stepper;
+  }
+
+  [[nodiscard]] static bool serves(const Material& material) {
+    return NoTexelLight::serves(material) || texel_light::plain(material);
+  }
+  template <class Gradients>
+  void make(const ShadingGroup& group, const PolygonCorners& polygon, const Gradients& gradients) {
+    const FrameEffects& effects = *group.textured->effects;
+    fog = &effects.fog;
+    fog_colour = spread_565::from(Rgb565::from(effects.fog_colour));
+    origin = static_cast<std::int16_t>(gradients.origin());
+    const auto corners = gradients.corners();
+    const auto near = [&](unsigned i) { return effects.fog.nearness(corners[i]->depth_word >> 8) >> 4; };
+    fit({near(0), near(1), near(2)}, gradients, nearness);
+    fit_light(group, polygon, gradients);
+  }
+
+ private:
+  /// [0, 1) of a signed value in Q28.
+  [[nodiscard]] static std::uint32_t in_28_bits(std::uint32_t value) {
+#if defined(__ARM_FEATURE_SAT)
+    return __usat(signed_word(value), 28);
+#else
+    return word(std::clamp<std::int32_t>(signed_word(value), 0, (1 << 28) - 1));
+#endif
+  }
+  /// Through values of 20 bits at the corners. Where it is too steep for a block's end, the polygon, which is a column
+  /// or two wide, has one value.
+  template <class Gradients>
+  static void fit(const std::array<std::int32_t, 3>& values, const Gradients& gradients, LinearFunction& function) {
+    constexpr std::int32_t bias = 1 << 23;  // the fit takes numbers in [0, 2^24)
+    gradients.fit_fine({bias + values[0], bias + values[1], bias + values[2]}, 24, function);
+    if (magnitude(signed_word(function.dx)) >= 1u << 27) function = {word(bias + values[0]) << 8, 0, 0};
+    function.at_origin -= word(bias) << 8;
+  }
+  template <class Gradients>
+  void fit_light(const ShadingGroup& group, const PolygonCorners& polygon, const Gradients& gradients) {
+    const auto corners = gradients.corners();
+    const auto constant = [&](std::uint32_t intensity) { light = {intensity << 12 | 1u << 11, 0, 0}; };
+    if (group.textured->texturing.function == TextureFunction::replace) {
+      constant(65535);
+    } else if (group.vertex_shades != nullptr) {
+      const auto value = [&](unsigned i) { return signed_word(group.vertex_shades[gradients.index(corners[i])] << 4); };
+      fit({value(0), value(1), value(2)}, gradients, light);
+    } else {
+      constant(group.polygon_intensity(polygon.polygon));
+    }
+  }
+};
+
+/// Textures in fog, lit or not: what RepeatedTextureShader is without.
+template <class Format, TexelFormat Texels>
+using FoggedTextureShader = TextureShader<Format, RepeatedTexels<Texels>, FoggedTexelLight>;
+
+}  // namespace spanline

@@ -1,0 +1,57 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "spanline/cpu/texture_block_maker.hpp"
+#include "spanline/math/bits.hpp"
+#include "spanline/shade/texture/texture_plane.hpp"
+#include "spanline/shade/texture/texture_reciprocal.hpp"
+#include "spanline/shade/texture/texture_steps.hpp"
+
+namespace spanline {
+
+/// Walks the texture coordinates of a row, piece by piece: in each u and v are linear. It serves every run.
+class TextureBlocks {
+ public:
+  static constexpr std::int32_t block_columns = 16, piece_columns = 4;
+  using Coordinates = TextureSteps;
+
+  TextureBlocks(const TexturePlane& plane, std::int32_t column);
+
+  /// Pixels left in the piece, and to the end of the pieces that one source serves with `bend` between them.
+  [[nodiscard]] std::uint32_t rest() const { return rest_; }
+  [[nodiscard]] std::uint32_t rest_of_block() const {
+    return curved_ ? word(block_columns - ((column_ + plane_.origin) & (block_columns - 1))) : rest_;
+  }
+  [[nodiscard]] const TextureSteps& coordinates() const { return at_; }
+  [[nodiscard]] std::int32_t column() const { return column_; }
+
+  /// Behind `rest_of_block` pixels.
+  void next() { next(rest_of_block()); }
+  /// Behind as many pixels; at most `rest_of_block`, and fewer of affine polygons alone.
+  void next(std::uint32_t length);
+
+ private:
+  static constexpr std::uint32_t whole_row = 4096;  // longer than any run
+
+  /// The end of a block.
+  struct Node {
+    std::uint32_t w;
+    std::uint32_t u, v;  ///< texture coordinates
+    bool valid;          ///< w positive, u/w and v/w in [0, 1]
+  };
+  void divide(Node& node, std::uint32_t u, std::uint32_t v) const;
+  [[nodiscard]] Node node_at(std::int32_t column) const;
+  void divide();
+  void next_division();
+  void begin_block(std::int32_t column);
+
+  const TexturePlane& plane_;
+  std::int32_t column_;
+  std::uint32_t rest_ = 1;
+  bool curved_ = false;
+  TextureSteps at_{};
+  Node last_{};  ///< the end of the block
+};
+
+}  // namespace spanline

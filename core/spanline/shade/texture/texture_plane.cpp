@@ -1,0 +1,99 @@
+#include "spanline/shade/texture/texture_plane.hpp"
+
+#include <algorithm>
+
+#include "spanline/math/bits.hpp"
+
+namespace spanline {
+namespace {
+
+constexpr int unit_bits = TextureUnits::fraction_bits;
+constexpr int affine_bits = 28, perspective_bits = 26;
+constexpr std::uint32_t quarter = 1u << 28;  // Q30
+
+int bit_count(std::uint32_t value) { return value == 0 ? 0 : 32 - leading_zeros_32(value); }
+
+/// value · 2^shift modulo 2^32, rounded down.
+std::uint32_t scaled(std::int32_t value, int shift) {
+  if (shift >= 0) return shift > 31 ? 0 : word(value) << shift;
+  return word(value >> std::min(31, -shift));
+}
+
+/// One axis: coordinates of the corners as their least and what they are above it.
+struct Axis {
+  std::int32_t least;
+  std::array<std::uint32_t, 3> above;
+  std::uint32_t span;
+
+  Axis(std::int32_t a, std::int32_t b, std::int32_t c) : least(std::min({a, b, c})), above{}, span(0) {
+    above = {word(a) - word(least), word(b) - word(least), word(c) - word(least)};
+    span = std::max({above[0], above[1], above[2]});
+  }
+
+  /// The greatest span in 2^-20 texels that matters here.
+  [[nodiscard]] std::uint64_t texels(int log2_size) const {
+    return std::min<std::uint64_t>(static_cast<std::uint64_t>(span) << log2_size, std::uint64_t{1} << 38);
+  }
+
+  /// The coordinate itself, in its format less the guard bits.
+  void affine(int log2_size, int fraction, std::array<std::int32_t, 3>& values, std::uint32_t& base) const {
+    const int guard = 32 - affine_bits;
+    for (unsigned i = 0; i < 3; ++i) {
+      const int shift = log2_size + fraction - guard - unit_bits;
+      const std::uint64_t value = shift >= 0 ? static_cast<std::uint64_t>(above[i]) << shift : above[i] >> -shift;
+      values[i] = static_cast<std::int32_t>(value & ((1u << affine_bits) - 1));
+    }
+    base = scaled(least, log2_size + fraction - unit_bits);
+  }
+
+  /// The coordinate, less whole textures, between a quarter and three quarters of a power of two textures, times w:
+  /// block ends may lie outside the polygon.
+  void perspective(int log2_size, int fraction, const std::array<std::int32_t, 3>& w,
+                   std::array<std::int32_t, 3>& values, std::uint32_t& base, std::uint32_t& shift) const {
+    const int to_format = log2_size + fraction - unit_bits;
+    const std::uint32_t first = word(least) & ((1u << unit_bits) - 1);
+    // Twice that span fits 2^exponent.
+    const int exponent = std::clamp(bit_count(span + first) + 1, unit_bits + 2, 31);
+    for (unsigned i = 0; i < 3; ++i) {
+      const std::uint32_t value = above[i] + first;
+      const std::uint32_t share = quarter + (exponent > 30 ? value >> 1 : value << (30 - exponent));
+      values[i] = signed_word((multiply_high(word(w[i]) << 8, share) + 32) >> 6);
+    }
+    shift = word(30 - exponent - to_format);
+    const std::int32_t whole = least - signed_word(first);
+    base = scaled(whole, to_format) - scaled(1 << (exponent - 2), to_format);
+  }
+};
+
+}  // namespace
+
+TexturePlaneValues texture_plane_values(const std::array<TextureVertex, 3>& corners, TextureMapping mapping,
+                                        const TexelScale& scale) {
+  TexturePlaneValues values{};
+  const auto& [a, b, c] = corners;
+  const Axis s(a.s, b.s, c.s), t(a.t, b.t, c.t);
+  const std::uint32_t greatest = std::max({a.nearness, b.nearness, c.nearness});
+  const int zeros = leading_zeros_32(greatest);
+  for (unsigned i = 0; i < 3; ++i)
+    values.w[i] = std::clamp<std::int32_t>(signed_word((corners[i].nearness << zeros) >> 8), 64, (1 << 24) - 1);
+  const auto [low, high] = std::minmax({values.w[0], values.w[1], values.w[2]});
+  // In the middle of the polygon perspective leaves the straight line by span · (high − low) / (2 (high + low)): up to
+  // 1/32 texel nobody minds.
+  const std::uint64_t texels = std::max(s.texels(scale.log2_width), t.texels(scale.log2_height));
+  const bool level = texels * static_cast<std::uint32_t>(high - low) <=
+                     (std::uint64_t{1} << 16) * static_cast<std::uint32_t>(high + low);
+  if (mapping == TextureMapping::affine || level) {
+    values.way = TexturePlane::Way::affine;
+    values.bits = affine_bits;
+    s.affine(scale.log2_width, scale.fraction_u, values.u, values.base_u);
+    t.affine(scale.log2_height, scale.fraction_v, values.v, values.base_v);
+    return values;
+  }
+  values.way = TexturePlane::Way::blocks;
+  values.bits = perspective_bits;
+  s.perspective(scale.log2_width, scale.fraction_u, values.w, values.u, values.base_u, values.shift_u);
+  t.perspective(scale.log2_height, scale.fraction_v, values.w, values.v, values.base_v, values.shift_v);
+  return values;
+}
+
+}  // namespace spanline

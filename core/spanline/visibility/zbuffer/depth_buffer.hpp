@@ -1,0 +1,349 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+
+#include "spanline/raster/active_triangle.hpp"
+#include "spanline/raster/attribute_gradients.hpp"
+#include "spanline/raster/link.hpp"
+#include "spanline/raster/polygon_corners.hpp"
+#include "spanline/raster/polygon_table.hpp"
+#include "spanline/raster/row_stepper.hpp"
+#include "spanline/raster/surface_blocks.hpp"
+#include "spanline/raster/triangle_setup.hpp"
+#include "spanline/visibility/zbuffer/active_polygons_needed.hpp"
+#include "spanline/visibility/zbuffer/fragment_lists.hpp"
+#include "spanline/visibility/zbuffer/see_through_rows.hpp"
+#include "spanline/visibility/zbuffer/triangle_rows.hpp"
+
+namespace spanline {
+
+/// A polygon that goes on below the band in which it was drawn: an entry of the active-edge table between bands.
+template <class Surface>
+struct ActiveEntry {
+  ActiveTriangle triangle;
+  Surface surface;
+  Link polygon;
+  Link next;  ///< the next active polygon in order of submission, or the next free entry
+};
+
+/// The z-buffer over one band of lines: `zbuffer` is one band as high as the picture, `scanline-z` any other height
+/// (lecture 002, "Z-buffer: Scanline" and "Incremental Scanline").
+///
+/// Polygons are drawn band by band, and inside a band in order of submission: those that came in from the band above
+/// merge with those that start here. So every band height does the same depth tests in the same order, and draws the
+/// same bytes.
+template <class Depth, class Pixel, class Shaders, bool Counting, bool Bounded = false>
+class DepthBuffer {
+ public:
+  using Surface = typename Shaders::Surface;
+  using Entry = ActiveEntry<Surface>;
+  using Target = BandTarget<Depth, Pixel>;
+  using Rows = TriangleRows<Depth, Pixel, Counting, Bounded>;
+
+  using Fragments =
+      std::conditional_t<Shaders::see_through, FragmentLists<Depth, Pixel, typename Shaders::Layer>, NoFragmentLists>;
+  using Layers = SeeThroughRows<Depth, Pixel, Fragments, Counting>;
+  using Bounds = std::conditional_t<Bounded, DepthBounds<Depth>, NoDepthBounds>;
+
+  static constexpr bool keeps_depth = true, tests_depth = true, takes_table_apart = false, clears_ahead = !Bounded;
+
+  /// The memory of the algorithm, cut off an arena: polygons that cross a band's lower edge; none are needed where
+  /// there is one band.
+  struct Memory {
+    std::span<Entry> active;
+    [[no_unique_address]] Bounds bounds;
+    [[no_unique_address]] Fragments fragments;
+
+    template <class Arena, class Capacity>
+    constexpr void take(Arena& arena, const Capacity& capacity) {
+      active = arena.template take<Entry>(capacity.active);
+      bounds.take(arena, capacity.width, capacity.band_lines);
+      fragments.take(arena, std::size_t{capacity.width} * capacity.band_lines, capacity.layers);
+    }
+    /// Bytes of `count` active polygons.
+    [[nodiscard]] static constexpr std::size_t bytes(std::size_t count) { return count * sizeof(Entry); }
+    /// Bytes of `count` fragments.
+    [[nodiscard]] static constexpr std::size_t layer_bytes(std::size_t count) { return Fragments::bytes(count); }
+  };
+
+  /// Whether links can number that many active polygons.
+  template <class Capacity>
+  [[nodiscard]] static constexpr bool takes(const Capacity& capacity) {
+    return capacity.active < no_link && capacity.layers < no_link;
+  }
+  /// The polygon table's buckets hold a band each.
+  template <class Capacity>
+  [[nodiscard]] static constexpr std::uint32_t bucket_lines(const Capacity& capacity) {
+    return capacity.band_lines;
+  }
+
+  DepthBuffer() = default;
+  explicit DepthBuffer(const Memory& memory)
+      : pool_(memory.active), bounds_(memory.bounds), fragments_(memory.fragments) {}
+
+  /// Before the first band of a frame.
+  void begin_frame() {
+    free_ = no_link;
+    used_ = peak_ = 0;
+    active_ = no_link;
+    overflowed_ = false;
+    fragments_.begin_frame();
+  }
+
+  /// Fills a band's pixels with the background and its depths with what every polygon beats, by `fill(value, count,
+  /// words)`.
+  template <class Fill>
+  void clear(const Target& target, Fill fill) {
+    const auto pixels = static_cast<std::uint32_t>(target.width * (target.end_row - target.first_row));
+    fill(target.background, pixels, target.pixels);
+    fill(Depth::clear, pixels, target.depth);
+    bounds_.clear();
+  }
+
+  /// Draws one band. `shading` is parallel to the table's groups; `covered(id)` is told of each polygon that
+  /// is activated (for Counting only).
+  template <class ShadingGroup, class Covered>
+  [[gnu::noinline]] void draw_band(const PolygonTable& table, std::span<const ShadingGroup> shading, std::int32_t band,
+                                   Viewport viewport, const Target& whole_target, Covered&& covered) {
+    const TargetWithBounds target = with_bounds(whole_target);
+    walk_band<true>(table, shading, band, viewport, target, covered);
+    fragments_.finish_band(target.depth, target.pixels,
+                           static_cast<std::size_t>(target.width * (target.end_row - target.first_row)));
+  }
+
+  /// Steps over a band that somebody else draws; of its target, rows and width count.
+  template <class ShadingGroup>
+  [[gnu::noinline]] void skip_band(const PolygonTable& table, std::span<const ShadingGroup> shading, std::int32_t band,
+                                   Viewport viewport, const Target& target) {
+    walk_band<false>(table, shading, band, viewport, target, [](std::uint32_t) {});
+  }
+
+  /// Whether polygons had to be cut off at a band's edge because the pool was full.
+  [[nodiscard]] bool overflowed() const { return overflowed_; }
+  /// Entries in use at most.
+  [[nodiscard]] Link peak() const { return peak_; }
+  /// How many entries a pool that ran full would have taken.
+  [[nodiscard]] static std::uint32_t wanted(const PolygonTable& table, Viewport viewport, std::int32_t band_lines) {
+    return active_polygons_needed(table, viewport, band_lines);
+  }
+  /// Fragments of the fullest band, whether there was room for them or not.
+  [[nodiscard]] std::uint32_t layers_wanted() const { return fragments_.wanted(); }
+  [[nodiscard]] bool layers_overflowed() const { return fragments_.overflowed(); }
+
+ private:
+  /// A copy that knows the bounds, where there are any.
+  using TargetWithBounds = std::conditional_t<Bounded, Target, const Target&>;
+  [[nodiscard]] TargetWithBounds with_bounds(const Target& target) {
+    if constexpr (Bounded) {
+      Target copy = target;
+      copy.bounds = &bounds_;
+      return copy;
+    } else {
+      return target;
+    }
+  }
+
+  /// Merges the polygons that came in from the band above with those that begin here, in order of submission.
+  template <bool Drawn, class ShadingGroup, class Covered>
+  [[gnu::always_inline]] void walk_band(const PolygonTable& table, std::span<const ShadingGroup> shading,
+                                        std::int32_t band, Viewport viewport, const Target& target, Covered&& covered) {
+    Job<ShadingGroup> job{.triangle = {},
+                          .table = table,
+                          .shading = shading.data(),
+                          .group = table.groups.data(),
+                          .viewport = viewport,
+                          .target = target,
+                          .group_end = 0};
+    job.find_group_end();
+    BucketCursor starting(table, band);
+    Link* link = &active_;
+    for (;;) {
+      const Link continuing = *link == no_link ? no_link : pool_[*link].polygon;
+      // What starts here before it; `link` stays in front of it.
+      for (Link polygon = starting.polygon(); polygon < continuing; polygon = starting.next()) {
+        job.find_group(polygon);
+        begin<Drawn>(job, polygon, link, covered);
+      }
+      if (continuing == no_link) break;
+      job.find_group(continuing);
+      go_on<Drawn>(job, link);
+    }
+  }
+
+  /// What the polygons of a band have in common, the group of the current one, and room to set it up.
+  template <class ShadingGroup>
+  struct Job {
+    ActiveTriangle triangle;  // first: Thumb-1 reaches near fields by shorter instructions
+    const PolygonTable& table;
+    const ShadingGroup* shading;
+    const PolygonGroup* group;
+    Viewport viewport;
+    const Target& target;
+    Link group_end;  ///< number of the first polygon behind the group
+
+    /// Number of the group's shader.
+    [[nodiscard]] std::uint8_t shader() const {
+      if constexpr (requires { Shaders::without_holes; }) {
+        if (!group->has_holes) return Shaders::without_holes;
+      }
+      return shading->shader;
+    }
+    /// Polygons come in order of submission, so groups do as well.
+    void find_group(Link polygon) {
+      while (polygon >= group_end) {
+        ++group;
+        ++shading;
+        find_group_end();
+      }
+    }
+    void find_group_end() {
+      const bool is_last = group == table.groups.data() + table.group_count - 1;
+      group_end = is_last ? no_link : group[1].first;
+    }
+  };
+
+  template <bool Drawn, class ShadingGroup, class Covered>
+  [[gnu::always_inline]] inline void begin(Job<ShadingGroup>& job, Link polygon, Link*& link, Covered& covered) {
+    const PolygonCorners corners = job.table.corners(*job.group, polygon);
+    if constexpr (!Drawn) {
+      if (row_range(corners).end + row_bias <= job.target.end_row) return;
+    }
+    Shaders::with(
+        job.shader(), [&]<class Shader>() __attribute__((always_inline)) {
+          typename Shader::Surface surface;
+          const auto [a, b, c] = corners.corner;
+          if constexpr (SurfaceInBlocks<typename Shader::Surface>) {
+            if (!activate_in_blocks<Shader>(corners, job, surface)) return;
+          } else if constexpr (Shader::interpolates) {
+            if (!activate<Shader>(a, b, c, job, surface)) return;
+          } else {
+            if (!activate_plain(a, b, c, job)) return;
+            Shader::make(surface, *job.shading, corners);
+          }
+          if constexpr (requires { surface.item; }) surface.item = polygon;
+          if constexpr (Counting && Drawn) {
+            if (covers_pixels(job.triangle, corners, job.viewport)) covered(job.shading->first_id + corners.triangle);
+          }
+          if (pass_rows<Drawn, Shader>(job.triangle, surface, job.target,
+                                       [&] { return job.table.corners(*job.group, polygon); }))
+            keep(job.triangle, surface, polygon, link);
+        });
+  }
+
+  /// Draws the rows of a polygon that lie in the band, or steps over them. True if it goes on below.
+  template <bool Drawn, class Shader, class CornersOf>
+  [[gnu::always_inline]] bool pass_rows(ActiveTriangle& triangle, typename Shader::Surface& surface,
+                                        const Target& target, CornersOf corners_of) {
+    if constexpr (!Drawn) {
+      return skip_rows(triangle, surface, target.end_row, corners_of);
+    } else if constexpr (SeeThrough<Shader>) {
+      if constexpr (Bounded)
+        target.bounds->touch(triangle.row - target.first_row,
+                             std::min(triangle.end_row(), target.end_row) - triangle.row);
+      return Layers::draw(triangle, surface, target, fragments_, corners_of);
+    } else {
+      return Rows::draw(triangle, surface, target, corners_of);
+    }
+  }
+
+  /// Edges and plane of a polygon, and its surface. A function of its own: that set-up wants every register.
+  template <class Shader, class ShadingGroup>
+  [[gnu::noinline]] static bool activate(const ScreenVertex* a, const ScreenVertex* b, const ScreenVertex* c,
+                                         Job<ShadingGroup>& job, typename Shader::Surface& surface) {
+    return set_up<Depth>(
+        a, b, c, *job.group, job.viewport, job.triangle, [&](const auto& gradients) __attribute__((always_inline)) {
+          Shader::make(surface, *job.shading, gradients);
+        });
+  }
+  template <class Shader, class ShadingGroup>
+  [[gnu::noinline]] static bool activate_in_blocks(const PolygonCorners& corners, Job<ShadingGroup>& job,
+                                                   typename Shader::Surface& surface) {
+    const auto [a, b, c] = corners.corner;
+    return set_up<Depth>(a, b, c, *job.group, job.viewport, job.triangle, [&](const AttributeGradients& gradients) {
+      Shader::make(surface, *job.shading, corners, gradients);
+    });
+  }
+  /// Edges and plane of a polygon whose surface does not interpolate.
+  template <class ShadingGroup>
+  [[gnu::always_inline]] static inline bool activate_plain(const ScreenVertex* a, const ScreenVertex* b,
+                                                           const ScreenVertex* c, Job<ShadingGroup>& job) {
+    return set_up<Depth>(a, b, c, *job.group, job.viewport, job.triangle, [](const auto&) {});
+  }
+
+  /// Draws the active polygon at *link, and moves on to the next one; takes it out of the list where it ends.
+  template <bool Drawn, class ShadingGroup>
+  void go_on(Job<ShadingGroup>& job, Link*& link) {
+    Entry& entry = pool_[*link];
+    const bool goes_on = Shaders::with(job.shader(), [&]<class Shader>() {
+      return pass_rows<Drawn, Shader>(entry.triangle, entry.surface.template as<typename Shader::Surface>(), job.target,
+                                      [&] { return job.table.corners(*job.group, entry.polygon); });
+    });
+    if (goes_on) {
+      link = &entry.next;
+    } else {
+      const Link done = *link;
+      *link = entry.next;
+      entry.next = free_;
+      free_ = done;
+    }
+  }
+
+  /// Puts a polygon that goes on below the band into the list, at its place in the order of submission.
+  template <class ShaderSurface>
+  void keep(const ActiveTriangle& triangle, const ShaderSurface& surface, Link polygon, Link*& link) {
+    Link entry = free_;
+    if (entry != no_link) {
+      free_ = pool_[entry].next;
+    } else if (used_ < pool_.size()) {
+      entry = used_++;
+      peak_ = used_;
+    } else {
+      overflowed_ = true;
+      return;
+    }
+    Entry& kept = pool_[entry];
+    kept.triangle.assign(triangle);
+    new (kept.surface.bytes) ShaderSurface(surface);
+    kept.polygon = polygon;
+    kept.next = *link;
+    *link = entry;
+    link = &kept.next;
+  }
+
+  /// Whether any pixel centre lies inside, on the viewport's rows and columns.
+  static bool covers_pixels(ActiveTriangle triangle, const PolygonCorners& corners, Viewport viewport) {
+    while (triangle.rows_to_bend + triangle.rows_after_bend > 0) {
+      const RowColumns columns = step_row(triangle, [&] { return corners; });
+      const std::int32_t first = triangle.origin + columns.first, end = triangle.origin + columns.end;
+      if (std::min(end, viewport.width) > std::max<std::int32_t>(first, 0)) return true;
+    }
+    return false;
+  }
+
+  std::span<Entry> pool_;
+  [[no_unique_address]] Bounds bounds_;
+  [[no_unique_address]] Fragments fragments_;
+  Link free_ = no_link;
+  Link used_ = 0;
+  Link peak_ = 0;
+  Link active_ = no_link;
+  bool overflowed_ = false;
+};
+
+/// Visibility of a renderer: a depth buffer with bounds for blocks of 32 columns, for scenes of large polygons that
+/// hide one another. The same bytes; 1/16 more memory for depth; small polygons pay a few instructions each.
+struct BoundedZBuffer {
+  template <class Depth, class Pixel, class Shaders, bool Counting>
+  using Algorithm = DepthBuffer<Depth, Pixel, Shaders, Counting, true>;
+};
+
+/// Visibility of a renderer: a depth buffer over the whole picture or over bands of lines.
+struct ZBuffer {
+  template <class Depth, class Pixel, class Shaders, bool Counting>
+  using Algorithm = DepthBuffer<Depth, Pixel, Shaders, Counting>;
+};
+
+}  // namespace spanline
