@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Runs build/firmware/<board>/bench.elf for each core under QEMU, prints a table and writes build/bench.json.
 
-The image prints a line for each case: bench <scene> <visibility> <depth> <band> <instructions> <crc> <peak bytes>.
+The image prints a line for each case: bench <scene> <visibility> <depth> <band> <instructions> <crc> <peak bytes>, and
+nothing else.
 Without --check and --core it also prints which visibility algorithm wins where (compare.py).
 Cycles are those of the model in tests/qemu/cycles, for the cores that it knows; null for the others.
 """
@@ -31,8 +32,11 @@ CORES = {
 }
 # Those whose cycles are modelled.
 MODELLED = ("m0plus", "m3", "m4")
+# Whatever else an image says is a complaint.
 LINE = re.compile(r"^bench (\S+) (\S+) (16|24) (\d+) (\d+) ([0-9a-f]{8}) (\d+)$", re.MULTILINE)
 BUDGETS = ROOT / "tests/bench/budgets.json"
+# A case that takes less than this share of its budget has either stopped drawing what it drew, or deserves a new budget.
+FLOOR = 0.9
 
 
 def run(core, timeout):
@@ -53,6 +57,20 @@ def run(core, timeout):
 def measure(core, timeout):
     """The rows of one core, as design.md's list of bench.json describes them, and their cycle reports."""
     console, reports = run(core, timeout)
+    rows = rows_of(core, console)
+    if reports and len(reports) != len(rows):
+        raise Failure(f"bench on {core}: {len(rows)} cases, but {len(reports)} cycle reports")
+    for row, report in zip(rows, reports):
+        require_same_count(row, report)
+        row["cycles"] = report.cycles
+    return rows, reports
+
+
+def rows_of(core, console):
+    """The rows that an image printed, which are all that it may print."""
+    others = [line for line in console.splitlines() if line and not LINE.fullmatch(line)]
+    if others:
+        raise Failure(f"bench on {core} complains:\n" + "\n".join(others))
     rows = [
         {
             "scene": scene,
@@ -68,13 +86,8 @@ def measure(core, timeout):
         for scene, visibility, depth, band, instructions, crc, peak in LINE.findall(console)
     ]
     if not rows:
-        raise Failure(f"bench on {core} printed no figures:\n{console}")
-    if reports and len(reports) != len(rows):
-        raise Failure(f"bench on {core}: {len(rows)} cases, but {len(reports)} cycle reports")
-    for row, report in zip(rows, reports):
-        require_same_count(row, report)
-        row["cycles"] = report.cycles
-    return rows, reports
+        raise Failure(f"bench on {core} printed no figures")
+    return rows
 
 
 def require_same_count(row, report):
@@ -119,10 +132,12 @@ def pictures_differ(rows):
     return [f"{name}: the cores drew {len(found)} different pictures" for name, found in crcs.items() if len(found) > 1]
 
 
-def over_budget(rows):
-    """Cases above their budget, and budgets that no case answers to."""
-    budgets = json.loads(BUDGETS.read_text())
+def beside_budget(rows, budgets):
+    """Cases above their budget or far below it, cases that have none, and budgets that no case answers to."""
     figures = {(row["core"], case(row)): row["instructions"] for row in rows}
+    for core, name in figures:
+        if name not in budgets.get(core, {}):
+            yield f"{core}, {name}: has no budget"
     for core, table in budgets.items():
         for name, most in table.items():
             figure = figures.get((core, name))
@@ -130,11 +145,13 @@ def over_budget(rows):
                 yield f"{core}, {name}: has a budget and was not measured"
             elif figure > most:
                 yield f"{core}, {name}: {figure} instructions, budget {most}"
+            elif figure < FLOOR * most:
+                yield f"{core}, {name}: {figure} instructions, less than {FLOOR:.0%} of its budget {most}"
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--check", action="store_true", help="fail where a figure is above tests/bench/budgets.json")
+    parser.add_argument("--check", action="store_true", help="fail where a figure is above tests/bench/budgets.json, or far below")
     parser.add_argument("--core", action="append", choices=CORES, help="this core only; may be given again")
     parser.add_argument("--hottest", default="S4 scanline-z 16 16", metavar="CASE",
                         help="whose functions to list, as the table names it (S4 scanline-z 16 16)")
@@ -161,7 +178,9 @@ def main():
             sys.exit(f"bench.py: {failure}")
     if not arguments.core:
         (ROOT / "build/bench.json").write_text(json.dumps(rows, indent=1) + "\n")
-    faults = pictures_differ(rows) + (list(over_budget(rows)) if arguments.check else [])
+    faults = pictures_differ(rows)
+    if arguments.check:
+        faults += beside_budget(rows, json.loads(BUDGETS.read_text()))
     if faults:
         sys.exit("bench.py: " + "\nbench.py: ".join(faults))
 

@@ -23,6 +23,9 @@ def measure(core, root, timeout):
     result = machine.run(board, root / f"build/firmware/{board}/compare.elf", timeout)
     if result.code != 0 or result.complaints:
         raise Failure(f"compare on {board} ended with {result.code}:\n{result.console}{result.complaints}")
+    others = [line for line in result.console.splitlines() if line and not LINE.fullmatch(line)]
+    if others:
+        raise Failure(f"compare on {board} complains:\n" + "\n".join(others))
     lines = [(table, int(number), int(leg), name, int(count), int(pixels))
              for table, number, leg, name, count, pixels in LINE.findall(result.console)]
     if not lines:

@@ -54,6 +54,20 @@ void GoldenSet::set(const std::string& name, Crcs crcs, const sim::Picture& pict
   write_png(png_path(folder_ / "pictures", name), picture);
 }
 
+std::set<std::string> GoldenSet::names() const {
+  std::set<std::string> all;
+  for (const auto& [name, crcs] : crcs_) all.insert(name);
+  const std::filesystem::path pictures = folder_ / "pictures";
+  if (std::filesystem::is_directory(pictures))
+    for (const auto& file : std::filesystem::directory_iterator(pictures)) all.insert(file.path().stem().string());
+  return all;
+}
+
+void GoldenSet::remove(const std::string& name) {
+  crcs_.erase(name);
+  std::filesystem::remove(png_path(folder_ / "pictures", name));
+}
+
 void GoldenSet::save() const {
   std::ofstream file(folder_ / "crcs.txt");
   for (const auto& [name, crcs] : crcs_) file << name << ' ' << std::hex << crcs.colours << ' ' << crcs.depths << '\n';

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 
 #include "image/picture.hpp"
@@ -25,7 +26,12 @@ class GoldenSet {
   /// The picture; empty if there is none.
   [[nodiscard]] sim::Picture picture(const std::string& name) const;
 
+  /// Everything that the table or the folder of pictures names.
+  [[nodiscard]] std::set<std::string> names() const;
+
   void set(const std::string& name, Crcs crcs, const sim::Picture& picture);
+  /// Forgets a scene that is no longer drawn, with its picture.
+  void remove(const std::string& name);
   /// Writes the table.
   void save() const;
 

@@ -71,13 +71,22 @@ TEST(Golden, EverySceneDrawsItsPicture) {
   scenes::for_each_selftest_run(all_memory, [&](const SelftestScene& scene, const SelftestRun& run) {
     if (!has_golden(scene, run)) return;
     const std::string name = std::string(scene.name) + "-" + std::to_string(golden_bits(run.renderer));
-    if (update && seen.insert(name).second) {
+    if (seen.insert(name).second && update) {
       const Drawn drawn = draw(scene, run);
       golden.set(name, drawn.crcs, drawn.picture);
     } else {
       compare(golden, scene, run);
     }
   });
+  for (const std::string& name : golden.names()) {
+    if (seen.contains(name)) {
+      EXPECT_FALSE(golden.picture(name).pixels.empty()) << name << ": has no picture; build update-golden";
+    } else if (update) {
+      golden.remove(name);
+    } else {
+      ADD_FAILURE() << name << ": no scene draws it any more; build update-golden";
+    }
+  }
   if (update) golden.save();
 }
 

@@ -10,8 +10,12 @@ import house
 def main():
     files = house.sources("core", "hal", "firmware", "host_sim", "tests")
     done = subprocess.run(["clang-format", "--dry-run", "-Werror", *files], capture_output=True, text=True)
-    faults = sorted({line.split(":")[0] for line in done.stderr.splitlines() if ": error:" in line})
-    house.report(len(files), "files", [f"{fault}: run clang-format -i on it" for fault in faults])
+    named = sorted({line.split(":")[0] for line in done.stderr.splitlines() if ": error:" in line})
+    faults = [f"{name}: run clang-format -i on it" for name in named]
+    # A tool that fails and names no file has not looked at them.
+    if done.returncode != 0 and not faults:
+        faults = [f"clang-format ended with {done.returncode}:\n{done.stdout}{done.stderr}"]
+    house.report(len(files), "files", faults)
 
 
 if __name__ == "__main__":

@@ -23,10 +23,15 @@ FORBIDDEN = {
 }
 
 
-def undefined(path):
-    """The undefined symbols of an object or of a library's members."""
-    done = subprocess.run(["nm", "-u", path], check=True, capture_output=True, text=True)
-    return [line.split()[-1] for line in done.stdout.splitlines() if line.startswith(" ")]
+def symbols(path):
+    """The lines of nm for an object or for a library's members: an address or spaces, a letter, a name."""
+    done = subprocess.run(["nm", path], check=True, capture_output=True, text=True)
+    return [line for line in done.stdout.splitlines() if line and not line.endswith(":")]
+
+
+def undefined(lines):
+    """The names that others must define."""
+    return [line.split()[-1] for line in lines if line.startswith(" ")]
 
 
 def fault_of(symbol):
@@ -38,15 +43,19 @@ def main():
     parser.add_argument("build", type=pathlib.Path, help="binary folder of a cross preset")
     build = parser.parse_args().build
     libraries = [build / "core/libspanline_core.a", build / "hal/libspanline_hal.a"]
-    absent = [f"{library}: missing, run script/build first" for library in libraries if not library.is_file()]
-    files = [*(library for library in libraries if library.is_file()), *sorted((build / "firmware").rglob("*.obj"))]
-    faults = [
-        f"{path.relative_to(build)}: {symbol} ({why})"
-        for path in files
-        for symbol in undefined(path)
-        if (why := fault_of(symbol))
-    ]
-    house.report(len(files), "libraries and objects", absent + faults)
+    objects = sorted((build / "firmware").rglob("*.obj"))
+    faults = [f"{library}: missing, run script/build first" for library in libraries if not library.is_file()]
+    if not objects:
+        faults.append(f"{build / 'firmware'}: no objects, run script/build first")
+    files = [*(library for library in libraries if library.is_file()), *objects]
+    for path in files:
+        lines = symbols(path)
+        if not lines and path in libraries:
+            faults.append(f"{path.relative_to(build)}: an empty library")
+        faults += [
+            f"{path.relative_to(build)}: {symbol} ({why})" for symbol in undefined(lines) if (why := fault_of(symbol))
+        ]
+    house.report(len(files), "libraries and objects", faults)
 
 
 if __name__ == "__main__":

@@ -14,9 +14,12 @@ CHECKS = [] if THOROUGH else ["--checks=-clang-analyzer-*"]
 
 
 def check(source):
+    """What clang-tidy says against a source, or that it failed without a word; nothing if it is content."""
     command = ["clang-tidy", "--quiet", "--warnings-as-errors=*", *CHECKS, "-p", sys.argv[1], source]
     done = subprocess.run(command, capture_output=True, text=True)
-    return done.stdout if done.returncode else None
+    if done.returncode == 0:
+        return None
+    return done.stdout or f"{source}: clang-tidy ended with {done.returncode}:\n{done.stderr}"
 
 
 def main():

@@ -32,7 +32,11 @@ def main():
         if not path.is_file():
             faults.append(f"{path}: missing, run script/build first")
             continue
-        found = [symbol for symbol in defined(path) if EXTRA.search(symbol)]
+        known = defined(path)
+        if not known:
+            faults.append(f"{name}: has no symbols to look at")
+            continue
+        found = [symbol for symbol in known if EXTRA.search(symbol)]
         if name in arguments.plain:
             faults += [f"{name}: {symbol}" for symbol in found]
         elif not found:

@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+"""The benchmark's check can fail: at every figure that it is there to refuse."""
+
+import unittest
+
+import bench
+from machine import Failure
+
+LINE = "bench S1 zbuffer 16 0 {} 0123abcd 4096\n"
+NAME = "S1 zbuffer 16 0"
+
+
+def faults(instructions, budgets):
+    return list(bench.beside_budget(bench.rows_of("m4", LINE.format(instructions)), budgets))
+
+
+class Budgets(unittest.TestCase):
+    def test_a_case_at_its_budget_passes(self):
+        self.assertEqual(faults(1000, {"m4": {NAME: 1000}}), [])
+
+    def test_a_case_above_its_budget_fails(self):
+        self.assertIn("budget 1000", *faults(1001, {"m4": {NAME: 1000}}))
+
+    def test_a_frame_of_one_instruction_fails(self):
+        self.assertIn("less than 90%", *faults(1, {"m4": {NAME: 1000}}))
+
+    def test_a_case_just_above_the_floor_passes_and_one_below_fails(self):
+        self.assertEqual(faults(900, {"m4": {NAME: 1000}}), [])
+        self.assertEqual(len(faults(899, {"m4": {NAME: 1000}})), 1)
+
+    def test_a_case_without_a_budget_fails(self):
+        self.assertIn("has no budget", *faults(1000, {"m4": {}}))
+        self.assertIn("has no budget", *faults(1000, {}))
+
+    def test_a_budget_without_a_case_fails(self):
+        self.assertIn("was not measured", *faults(1000, {"m4": {NAME: 1000, "S2 zbuffer 16 0": 1}}))
+
+
+class Console(unittest.TestCase):
+    def test_a_full_pool_fails(self):
+        with self.assertRaisesRegex(Failure, "a pool is full"):
+            bench.rows_of("m4", "bench: a pool is full\n" + LINE.format(1000))
+
+    def test_a_line_that_is_no_figure_fails(self):
+        with self.assertRaisesRegex(Failure, "not drawn"):
+            bench.rows_of("m4", LINE.format(1000) + "bench: not drawn\n")
+
+    def test_no_figures_fail(self):
+        with self.assertRaisesRegex(Failure, "no figures"):
+            bench.rows_of("m4", "")
+
+
+class Pictures(unittest.TestCase):
+    def test_a_core_with_another_picture_fails(self):
+        rows = bench.rows_of("m3", LINE.format(1000)) + bench.rows_of("m4", LINE.format(1000).replace("0123", "0124"))
+        self.assertEqual(len(bench.pictures_differ(rows)), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
