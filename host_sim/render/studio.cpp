@@ -6,6 +6,7 @@
 #include "import/model_file.hpp"
 #include "render/setup.hpp"
 #include "scene/core_values.hpp"
+#include "scene/planes.hpp"
 
 namespace spanline::sim {
 
@@ -61,10 +62,24 @@ Frame Studio::draw(double turns) {
       point.position = view_.target + turned(view_, point.position - view_.target, turns);
   }
   const View view = turns == 0 ? view_ : turned(view_, turns);
-  return renderer_->draw(request(view, light));
+  const FrameRequest wanted = request(view, light);
+  Frame frame = renderer_->draw(wanted);
+  for (std::uint32_t& depth : frame.depths)
+    if (depth != background_depth(wanted.depth_bits)) depth = stated_depth(depth, wanted);
+  return frame;
 }
 
-PickedPixel Studio::pick(int x, int y) { return renderer_->pick(request(view_, light_), x, y); }
+PickedPixel Studio::pick(int x, int y) {
+  const FrameRequest wanted = request(view_, light_);
+  PickedPixel picked = renderer_->pick(wanted, x, y);
+  if (picked.id != 0) picked.depth = stated_depth(picked.depth, wanted);
+  return picked;
+}
+
+std::uint32_t Studio::stated_depth(std::uint32_t depth, const FrameRequest& request) const {
+  const DepthScale scale(view_);
+  return scale.changes() ? scale(depth, request.depth_bits, request.depth_sense) : depth;
+}
 
 FrameRequest Studio::request(const View& view, const SceneLight& light) const {
   FrameRequest request = make_request(arguments_, *shading_, view, world_, light);

@@ -29,6 +29,8 @@ class Studio {
   void name_textures();
   void read_textures();
   [[nodiscard]] FrameRequest request(const View& view, const SceneLight& light) const;
+  /// A depth of the picture by the planes that were asked for.
+  [[nodiscard]] std::uint32_t stated_depth(std::uint32_t depth, const FrameRequest& request) const;
 
   const RenderArguments& arguments_;
   Scene scene_;

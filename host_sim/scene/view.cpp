@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/failure.hpp"
+#include "scene/planes.hpp"
 
 namespace spanline::sim {
 namespace {
@@ -36,15 +37,6 @@ double radius_about(const Scene& scene, Vector3 centre) {
   return radius;
 }
 
-struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-  void include(double value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-};
-
 /// Places eye and distance so that the model fits.
 class Framing {
  public:
@@ -68,8 +60,8 @@ class Framing {
     return std::max(distance, margin * radius);
   }
 
-  [[nodiscard]] Range depths(const View& view) const {
-    Range range;
+  [[nodiscard]] DepthRange depths(const View& view) const {
+    DepthRange range;
     if (turns_) {
       const double radius = radius_about(scene_, view.target);
       range.include(view.depth(view.target) - radius);
@@ -92,21 +84,10 @@ class Framing {
   bool turns_;
 };
 
-/// Near and far where the user gave none: around the model, with near at least a thousandth of far, as depth loses its
-/// precision by that ratio.
-void choose_planes(View& view, const ViewRequest& request, Range depths, double scale) {
-  const double slack = std::max((depths.high - depths.low) * 0.01, scale * 1e-4);
-  double far_plane = depths.high + slack;
-  if (!view.orthographic && far_plane <= 0) far_plane = scale;  // all of the model lies behind the eye
-  if (request.far_plane) far_plane = *request.far_plane;
-  double near_plane = depths.low - slack;
-  if (!view.orthographic) near_plane = std::max(near_plane, far_plane / 1000);
-  if (request.near_plane) near_plane = *request.near_plane;
-  if (near_plane >= far_plane && !request.far_plane) far_plane = near_plane + std::max(scale, std::fabs(near_plane));
-  if (near_plane >= far_plane && !request.near_plane)
-    near_plane = view.orthographic ? far_plane - scale : far_plane / 1000;
-  view.near_plane = near_plane;
-  view.far_plane = far_plane;
+/// A still view has the same picture wherever on its line of sight the target lies, and the core's world must reach
+/// that far.
+void bring_target_near(View& view, double limit) {
+  if (length(view.eye - view.target) > limit) view.target = view.eye - view.backwards * limit;
 }
 
 }  // namespace
@@ -158,7 +139,9 @@ View resolve_view(const ViewRequest& request, const Scene& scene, Size size, boo
     if (!(distance > 0)) distance = 2 * scale;
     view.look_at(target + backwards * distance, target, up);
   }
-  choose_planes(view, request, framing.depths(view), scale);
+  const double own_radius = radius_about(scene, centre);
+  if (!turns) bring_target_near(view, length(view.eye - centre) + own_radius);
+  choose_planes(view, request, framing.depths(view), own_radius > 0 ? own_radius : 1);
   return view;
 }
 

@@ -20,9 +20,11 @@ struct View {
   Vector3 eye, target, up;
   Vector3 right, above, backwards;  ///< unit axes of the picture
   bool orthographic = false;
-  double field_of_view = 45;  ///< perspective: vertical, degrees
-  double ortho_height = 1;    ///< orthographic: model units
-  double near_plane = 1, far_plane = 2;
+  double field_of_view = 45;                           ///< perspective: vertical, degrees
+  double ortho_height = 1;                             ///< orthographic: model units
+  double near_plane = 1, far_plane = 2;                ///< what the picture is drawn between
+  double stated_near_plane = 1, stated_far_plane = 2;  ///< what was asked for: depths are told by these
+  double nearest_surface = 1;                          ///< perspective: least depth of what may be seen
 
   /// Turns the camera: sets eye, target, up and the axes. `up` must not be parallel to the line of sight.
   void look_at(Vector3 from, Vector3 to, Vector3 up_direction);

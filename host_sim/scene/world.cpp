@@ -1,7 +1,9 @@
 #include "scene/world.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include "base/failure.hpp"
@@ -13,6 +15,10 @@ namespace {
 /// Coordinates and distances stay within 2^14 of the 2^15 that Q16.16 holds: differences must fit, too.
 constexpr int world_exponent = 14;
 constexpr double greatest_focal = 32767;
+/// How far off a vertex may be, in world units: its own rounding, and that of the 30 bits of the turn on its way.
+constexpr double vertex_error = 1.0 / 32768;
+/// How far off it may be in the picture, pixels.
+constexpr double greatest_picture_error = 0.25;
 /// Binary digits of the world that an orthographic view may give up for the scale of its picture: 2^4 units with their
 /// 16 fraction bits are left for the farthest depth.
 constexpr int depth_reserve = 10;
@@ -35,6 +41,16 @@ View with_positive_near(View view) {
   view.near_plane += shift;
   view.far_plane += shift;
   return view;
+}
+
+/// The nearer a surface is to the eye, the larger it is in the picture, and the error of its vertices with it.
+void check_nearest(const View& view, const World& world, double focal) {
+  const double least = std::ldexp(focal * vertex_error / greatest_picture_error, -world.exponent);
+  if (view.nearest_surface >= least) return;
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2g", least * 1.05);
+  throw UsageError("--near: this near to the eye the model is too large for fixed-point numbers; " +
+                   std::string(text.data()) + " is far enough");
 }
 
 }  // namespace
@@ -63,7 +79,8 @@ Camera to_camera(const View& given, const World& world, Size size) {
   const double focal = view.orthographic ? std::ldexp(size.height / view.ortho_height, -world.exponent)
                                          : size.height / (2 * std::tan(view.field_of_view * std::numbers::pi / 360));
   const char* const option = view.orthographic ? "--ortho" : "--fov";
-  if (!(focal < greatest_focal)) throw UsageError(std::string(option) + ": the view is too narrow for this picture");
+  if (!(focal < (view.orthographic ? greatest_picture_error / vertex_error : greatest_focal)))
+    throw UsageError(std::string(option) + ": the view is too narrow for this picture");
   camera.focal = to_fixed<Q16_16>(focal);
   if (camera.focal.raw() <= 0) throw UsageError(std::string(option) + ": the view is too wide for this picture");
   camera.projection = view.orthographic ? Projection::orthographic : Projection::perspective;
@@ -72,8 +89,9 @@ Camera to_camera(const View& given, const World& world, Size size) {
   camera.axes = {{to_direction(view.right), to_direction(view.above), to_direction(view.backwards)}};
   camera.near_plane = to_fixed<Q16_16>(std::ldexp(view.near_plane, world.exponent));
   camera.far_plane = to_fixed<Q16_16>(std::ldexp(view.far_plane, world.exponent));
+  if (!view.orthographic) check_nearest(view, world, focal);
   if (camera.near_plane.raw() <= 0 || camera.near_plane >= camera.far_plane)
-    throw UsageError("--near and --far lie too far apart, or too close to each other, for fixed-point numbers");
+    throw UsageError("--near and --far lie too close to each other for fixed-point numbers");
   return camera;
 }
 

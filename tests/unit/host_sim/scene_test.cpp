@@ -129,7 +129,7 @@ TEST(View, PartialOptionsCombine) {
   const View aimed = resolve_view(request, scene, {}, false);
   EXPECT_LT(std::fabs(projected(aimed, {}, {0, 1, 0}).x), 1);
   request.near_plane = 1000;
-  EXPECT_GT(resolve_view(request, scene, {}, false).far_plane, 1000);
+  EXPECT_GT(resolve_view(request, scene, {}, false).stated_far_plane, 1000);
 }
 
 TEST(View, LooksStraightDownWithoutBeingToldWhatIsUp) {
