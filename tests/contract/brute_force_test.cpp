@@ -26,7 +26,7 @@ TEST_P(BruteForce, AgreesWithEveryAlgorithm) {
       Manner manner;
       manner.band_lines = 1 + i % 20;
       const Drawing got = draw(entry, scene, manner);
-      ASSERT_EQ(fault_of(exactness_of(entry), want, got, want, scene.depths_overlap()), "")
+      ASSERT_EQ(fault_of(exactness_of(entry), want, got, want, scene), "")
           << entry.name << ", seed " << seed_of(generator, round) << '\n'
           << text_of(scene);
     }

@@ -219,7 +219,7 @@ TEST_P(TextbookForm, AgreesWithEveryAlgorithm) {
     const Scene scene = generator.make(random);
     const Drawing want = Textbook(scene).draw();
     for (const sim::VisibilityEntry& entry : algorithms())
-      ASSERT_EQ(fault_of(exactness_of(entry), want, draw(entry, scene, {}), want, scene.depths_overlap()), "")
+      ASSERT_EQ(fault_of(exactness_of(entry), want, draw(entry, scene, {}), want, scene), "")
           << entry.name << ", seed " << seed_of(generator, round) << '\n'
           << text_of(scene);
   }

@@ -1,8 +1,6 @@
 #include "scene.hpp"
 
-#include <algorithm>
 #include <sstream>
-#include <utility>
 
 namespace spanline::contract {
 
@@ -10,17 +8,6 @@ std::size_t Scene::polygon_count() const {
   std::size_t count = triangles.size();
   for (const Part& part : parts) count += 7 * part.mesh->triangle_count();
   return count;
-}
-
-bool Scene::depths_overlap() const {
-  if (!parts.empty()) return true;
-  constexpr std::int32_t rounding = 4;  // a plane may leave its corners' depths by two units
-  std::vector<std::pair<std::int32_t, std::int32_t>> ranges;
-  for (const Corners& t : triangles) ranges.push_back(std::minmax({t[0].z, t[1].z, t[2].z}));
-  std::sort(ranges.begin(), ranges.end());
-  for (std::size_t i = 1; i < ranges.size(); ++i)
-    if (ranges[i].first <= ranges[i - 1].second + rounding) return true;
-  return false;
 }
 
 std::string text_of(const Scene& scene) {

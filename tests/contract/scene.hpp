@@ -60,8 +60,6 @@ struct Scene {
   }
   /// Polygons of the table at most: clipping cuts a triangle into seven.
   [[nodiscard]] std::size_t polygon_count() const;
-  /// Whether two polygons may lie at the same depth somewhere; said of all scenes with instances.
-  [[nodiscard]] bool depths_overlap() const;
 };
 
 /// The triangles of a scene as source text, for the report of a failure; nothing for long ones.

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "ordered_pixels.hpp"
+
 namespace spanline::contract {
 namespace {
 
@@ -76,25 +78,36 @@ std::string far_difference(const Drawing& want, const Drawing& got, const Drawin
   return std::to_string(count) + " pixels of " + std::to_string(want.pixels.size()) + " differ: more than 1 %";
 }
 
+std::string disorder(const Drawing& want, const Drawing& got, const Drawing& owners, const std::vector<bool>& ordered) {
+  if (want.pixels.size() != got.pixels.size()) return "the pictures have different sizes";
+  const bool ids = want.pixels == owners.pixels;
+  for (std::size_t i = 0; i < want.pixels.size(); ++i) {
+    if (want.pixels[i] == got.pixels[i]) continue;
+    if (owners.pixels[i] == 0) return "a pixel of the background is covered: " + place(want, i);
+    if (ids && got.pixels[i] == 0) return "a pixel is not covered: " + place(want, i);
+    if (ordered[i]) return "a pixel differs that the order of depth decides: " + place(want, i);
+  }
+  return {};
+}
+
 std::string fault_of(Exactness exactness, const Drawing& want, const Drawing& got, const Drawing& owners,
-                     bool depths_overlap) {
+                     const Scene& scene) {
   switch (exactness) {
     case Exactness::exact:
       return difference(want, got);
     case Exactness::near_exact:
       return far_difference(want, got, owners);
     default:
-      return depths_overlap ? "" : difference(want, got);
+      return disorder(want, got, owners, ordered_pixels(scene));
   }
 }
 
 std::string fault_in(const Scene& scene, const Manner& manner, const Drawer& drawer) {
   const Drawing want = drawer.reference(scene, manner);
   const Drawing owners = manner.content == Manner::Content::ids ? want : reference(scene, {});
-  const bool overlap = scene.depths_overlap();
   for (const sim::VisibilityEntry& entry : algorithms()) {
     const Drawing got = drawer.by(entry, scene, manner);
-    std::string fault = got.status.ok() ? fault_of(exactness_of(entry), want, got, owners, overlap)
+    std::string fault = got.status.ok() ? fault_of(exactness_of(entry), want, got, owners, scene)
                                         : std::string(to_string(got.status.fault)) + ": " + to_string(got.status.pool);
     if (fault.empty()) fault = wrong_count(got);
     if (!fault.empty()) return std::string(entry.name) + ": " + fault + "\n" + text_of(scene);

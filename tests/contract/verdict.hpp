@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "drawing.hpp"
 
@@ -11,7 +12,8 @@ namespace spanline::contract {
 enum class Exactness : std::uint8_t {
   exact,        ///< the z-buffer's bytes, always
   near_exact,   ///< at most 1 % of the pixels differ, each within one pixel of an edge or split
-  order_bound,  ///< the z-buffer's picture where no two polygons overlap in depth
+  order_bound,  ///< the z-buffer's pixel where no two polygons that cover it overlap in depth; polygons and background
+                ///< where it has them
 };
 
 /// The class that the list states; throws for a word that is none.
@@ -26,9 +28,14 @@ enum class Exactness : std::uint8_t {
 /// its eight neighbours belongs to another polygon, or to the background.
 [[nodiscard]] std::string far_difference(const Drawing& want, const Drawing& got, const Drawing& owners);
 
-/// By class. `depths_overlap`: whether polygons of the scene do.
+/// Of an order-bound algorithm: a pixel that an order decides (ordered_pixels.hpp), or that no polygon covers, is not
+/// the reference's; or a polygon is missing where pictures are of ids.
+[[nodiscard]] std::string disorder(const Drawing& want, const Drawing& got, const Drawing& owners,
+                                   const std::vector<bool>& ordered);
+
+/// By class.
 [[nodiscard]] std::string fault_of(Exactness exactness, const Drawing& want, const Drawing& got, const Drawing& owners,
-                                   bool depths_overlap);
+                                   const Scene& scene);
 
 /// Draws a scene by an algorithm, or as all of them must.
 struct Drawer {

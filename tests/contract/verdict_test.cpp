@@ -71,21 +71,40 @@ TEST(Verdict, NearExactColoursAreHeldAgainstTheEdgesOfIds) {
   EXPECT_NE(far_difference(want, got, owners), "");
 }
 
-TEST(Verdict, OrderBoundIsHeldToScenesWithoutOverlapInDepth) {
-  const Drawing want = halves();
-  Drawing got = halves();
-  got.pixels[5] = 3;
-  EXPECT_EQ(fault_of(Exactness::order_bound, want, got, want, true), "");
-  EXPECT_NE(fault_of(Exactness::order_bound, want, got, want, false), "");
-  EXPECT_EQ(fault_of(Exactness::order_bound, want, halves(), want, false), "");
+TEST(Verdict, OrderBoundIsHeldToPixelsThatAnOrderDecides) {
+  Drawing owners = halves();
+  owners.pixels[7] = 0;
+  const Drawing want = owners;
+  std::vector<bool> ordered(400, false);
+  ordered[5] = true;
+  EXPECT_EQ(disorder(want, want, owners, ordered), "");
+  const auto changed = [&](std::size_t pixel, std::uint32_t id) {
+    Drawing got = want;
+    got.pixels[pixel] = id;
+    return disorder(want, got, owners, ordered);
+  };
+  EXPECT_EQ(changed(6, 3), "") << "polygons overlap in depth there";
+  EXPECT_NE(changed(5, 3), "");
+  EXPECT_NE(changed(6, 0), "") << "the background shows through";
+  EXPECT_NE(changed(7, 3), "") << "nothing covers it";
+}
+
+TEST(Verdict, OrderBoundColoursMayBeThatOfTheBackground) {
+  const Drawing owners = halves();
+  Drawing want = halves();
+  want.pixels.assign(400, 9);
+  Drawing got = want;
+  got.pixels[3] = 0;
+  EXPECT_EQ(disorder(want, got, owners, std::vector<bool>(400, false)), "");
+  EXPECT_NE(disorder(want, got, owners, std::vector<bool>(400, true)), "");
 }
 
 TEST(Verdict, ClassesAreHeldToTheirOwnChecks) {
   const Drawing want = halves();
   Drawing got = halves();
   got.pixels[got.at(9, 0)] = 2;
-  EXPECT_NE(fault_of(Exactness::exact, want, got, want, true), "");
-  EXPECT_EQ(fault_of(Exactness::near_exact, want, got, want, true), "");
+  EXPECT_NE(fault_of(Exactness::exact, want, got, want, Scene{}), "");
+  EXPECT_EQ(fault_of(Exactness::near_exact, want, got, want, Scene{}), "");
 }
 
 TEST(Verdict, AClassIsReadFromTheList) {
@@ -93,17 +112,6 @@ TEST(Verdict, AClassIsReadFromTheList) {
   EXPECT_EQ(exactness_of({"b", "near-exact", "", false, 24}), Exactness::near_exact);
   EXPECT_EQ(exactness_of({"c", "order-bound", "", false, 24}), Exactness::order_bound);
   EXPECT_THROW((void)exactness_of({"d", "good", "", false, 24}), std::logic_error);
-}
-
-TEST(Verdict, DepthsOverlapWhereRangesMeet) {
-  const auto at = [](std::int32_t low, std::int32_t high) {
-    return Corners{Corner{0, 0, low}, Corner{160, 0, high}, Corner{0, 160, high}};
-  };
-  Scene scene;
-  scene.triangles = {at(500, 600), at(100, 200), at(300, 400)};
-  EXPECT_FALSE(scene.depths_overlap());
-  scene.triangles.push_back(at(350, 360));
-  EXPECT_TRUE(scene.depths_overlap());
 }
 
 }  // namespace
