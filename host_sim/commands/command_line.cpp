@@ -8,6 +8,7 @@
 
 #include "base/failure.hpp"
 #include "commands/commands.hpp"
+#include "spanline/version.hpp"
 
 namespace spanline::sim {
 namespace {
@@ -22,7 +23,7 @@ int report(std::string message, int exit_code) {
 }
 
 void declare_all(CLI::App& app, std::span<const std::unique_ptr<Command>> commands) {
-  app.set_version_flag("--version", "spanline 0.1.0");
+  app.set_version_flag("--version", std::string("spanline ") + version);
   app.require_subcommand(1);
   for (const auto& command : commands) {
     CLI::App* subcommand = app.add_subcommand(command->name(), command->description());

@@ -17,6 +17,7 @@ CORE_ROOMS = [CORE + room for room in ("memory", "math", "model", "pixel", "rast
 
 # Room, and what it may include beside itself: rooms (folders) or single headers. First match wins.
 RULES = {
+    CORE + "version.hpp": [],
     CORE + "memory": [],
     CORE + "math": [],
     CORE + "model": [CORE + "memory", CORE + "math"],

@@ -6,8 +6,8 @@ import sys
 
 import house
 
-NAMED = set("""CMakeLists.txt CMakePresets.json LICENSE README.md core docs firmware hal host_sim script tests .ci
-.clang-format .clang-tidy .gitignore""".split())
+NAMED = set("""CHANGELOG.md CMakeLists.txt CMakePresets.json CONTRIBUTING.md LICENSE README.md core docs firmware hal host_sim script tests .ci
+.clang-format .clang-tidy .editorconfig .gitignore""".split())
 
 
 def main():
