@@ -192,16 +192,23 @@ TEST(Layers, InSpanAPoolThatRunsFullDrawsTheSameInBandsOfAnyHeightAndOnTwoCores)
 
 /// Submitted from the farthest to the nearest, so that each fragment that is laid at once is laid right.
 TEST(Layers, AFullPoolLaysTheFarthestAtOnceWhichIsRightForPolygonsThatComeBackToFront) {
-  Scene scene = stacked(4);
+  Scene scene = stacked(1);
+  ASSERT_EQ(scene.triangles.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i)
+    ASSERT_EQ(presence(scene.triangles[i], 0, 0, 0), Presence::mixes) << "all blend, and their order shows";
   std::reverse(scene.triangles.begin(), scene.triangles.end());
   Manner manner{.content = Manner::Content::layers, .layers = 100'000};
   const Drawing want = draw(algorithm("zbuffer"), scene, manner);
-  for (const std::uint32_t room : {0U, 1U, 100U, 800U}) {
+  for (const std::uint32_t room : {0U, 1U, 100U, 800U, 1500U}) {
     manner.layers = room;
     const Drawing got = draw(algorithm("zbuffer"), scene, manner);
     EXPECT_FALSE(got.status.ok());
     EXPECT_EQ(difference(want, got), "") << "room for " << room;
   }
+  // Submitted the other way round, full pools lay the wrong ones at once: the order does show.
+  std::reverse(scene.triangles.begin(), scene.triangles.end());
+  manner.layers = 1;
+  EXPECT_NE(difference(want, draw(algorithm("zbuffer"), scene, manner)), "");
 }
 
 }  // namespace

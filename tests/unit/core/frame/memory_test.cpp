@@ -85,6 +85,40 @@ TEST(Memory, PeaksNeverExceedWhatWasGiven) {
   }
 }
 
+/// Triangles that are all active at once, and others before and after them.
+template <class Visibility>
+void check_active_peak() {
+  using Traits = FlatTraits<Rgb565, Depth24<>, false, Visibility>;
+  std::vector<Corners> triangles;
+  const auto add = [&](int from, int to) {
+    const auto left = static_cast<int>(triangles.size()) * 160, z = 1000 + left;
+    triangles.push_back({Corner{left, 16 * from, z}, Corner{left + 700, 16 * from, z}, Corner{left, 16 * to, z}});
+  };
+  for (const int from : {0, 3, 6}) add(from, from + 30);
+  add(36, 60);
+  Capacity capacity = screen_capacity(96, 64, triangles.size(), 8);
+  Studio<Traits> ample(capacity);
+  (void)ample.draw_screen(triangles);
+  ASSERT_TRUE(ample.status().ok());
+  using Algorithm = typename Visibility::template Algorithm<Depth24<>, std::uint16_t, typename Traits::Shaders, false>;
+  capacity.active = 0;
+  while (Algorithm::Memory::bytes(capacity.active) < ample.renderer().peaks().active) ++capacity.active;
+  EXPECT_EQ(capacity.active, 3U);
+  Studio<Traits> exact(capacity);
+  (void)exact.draw_screen(triangles);
+  EXPECT_TRUE(exact.status().ok()) << "what the peak says was not enough";
+  --capacity.active;
+  Studio<Traits> starved(capacity);
+  (void)starved.draw_screen(triangles);
+  EXPECT_FALSE(starved.status().ok()) << "less than the peak was enough";
+}
+
+TEST(Memory, ThePeakOfActivePolygonsIsWhatAFrameNeedsAndNoMore) {
+  check_active_peak<ZBuffer>();
+  check_active_peak<BoundedZBuffer>();
+  check_active_peak<Spanning>();
+}
+
 TEST(Configuration, SizesOutsideTheirRangesAreRefused) {
   std::vector<std::byte> memory(1 << 20);
   const auto status = [&](Capacity c) { return R(c, memory).status().fault; };

@@ -7,6 +7,11 @@
 #include <bit>
 #include <cmath>
 #include <set>
+#include <utility>
+#include <vector>
+
+#include "spanline/frame/ready_made_traits.hpp"
+#include "support/studio.hpp"
 
 namespace spanline::test {
 namespace {
@@ -86,6 +91,37 @@ TEST(Stipple, OneLayerOverItselfHidesWhatLiesBehindAsOneLayerWould) {
 TEST(Stipple, OpacitiesOfEightBitsAreRoundedToTheNearestLevel) {
   for (std::uint32_t opacity = 0; opacity <= 255; ++opacity)
     EXPECT_EQ(stipple::level_of(opacity), static_cast<std::uint32_t>(std::lround(opacity * 64 / 255.0)));
+}
+
+/// 64 × 32 pixels under one layer that covers all: where it is there.
+std::vector<std::uint16_t> layer_by_seed(Transparency transparency, std::uint8_t seed) {
+  using Shaders = ShaderList<FlatShader<Rgb565>, SeeThroughShader<Rgb565, FlatShader<Rgb565>>>;
+  Studio<RendererTraits<Depth16<>, Rgb565, Shaders>> studio(screen_capacity(64, 32, 1));
+  const Corners over_all{Corner{-160, -160, 4000}, Corner{9000, -160, 4000}, Corner{-160, 9000, 4000}};
+  const auto vertices = vertices_of(std::span(&over_all, 1), 16, 64, 32);
+  const std::uint16_t white = 0xffff;
+  FrameSettings settings;
+  settings.cull = Cull::none;
+  settings.stipple_seed = seed;
+  Material material;
+  material.opacity = 128;
+  material.transparency = transparency;
+  studio.begin(settings);
+  studio.add_screen(vertices, {&white, 1}, material);
+  auto picture = studio.draw();
+  EXPECT_TRUE(studio.status().ok());
+  return std::move(picture.pixels);
+}
+
+TEST(Stipple, EverySeedOfAFrameHasAStochasticPatternOfItsOwn) {
+  std::set<std::vector<std::uint16_t>> patterns_seen;
+  for (std::uint8_t seed = 0; seed < 128; ++seed) patterns_seen.insert(layer_by_seed(Transparency::stochastic, seed));
+  EXPECT_EQ(patterns_seen.size(), 128U);
+  EXPECT_EQ(layer_by_seed(Transparency::stochastic, 9), layer_by_seed(Transparency::stochastic, 9));
+}
+
+TEST(Stipple, TheSeedOfAFrameChangesNoScreenDoor) {
+  EXPECT_EQ(layer_by_seed(Transparency::screen_door, 0), layer_by_seed(Transparency::screen_door, 77));
 }
 
 TEST(Stipple, RandomMasksHoldTheLevelsShare) {
