@@ -63,7 +63,7 @@ void soup(const char* name, const Capacity& capacity, unsigned band, const Mater
 
 template <class Depth, class Visibility>
 void soups(unsigned band) {
-  using Traits = FlatTraits<Rgb565, Depth, false, Visibility>;
+  using Traits = FlatTraits<Rgb565, Depth, Visibility>;
   const auto soup = [&](const char* name, std::uint32_t triangles, auto make) {
     ::soup<Traits>(name, {.polygons = triangles, .active = std::min<std::uint32_t>(triangles, 600)}, band, {}, make);
   };
@@ -80,7 +80,7 @@ void soups(unsigned band) {
 /// S7 with α = ½: twenty layers over the background.
 void layers(unsigned band) {
   using Shaders = ShaderList<FlatShader<Rgb565>, SeeThroughShader<Rgb565, FlatShader<Rgb565>>>;
-  using Traits = RendererTraits<Depth24<>, Rgb565, Shaders, false, Spanning>;
+  using Traits = RendererTraits<Rgb565, Shaders, Depth24<>, Spanning>;
   Material glass;
   glass.opacity = 128;
   soup<Traits>("S7A", {.polygons = 40, .active = 40, .layers = 40}, band, glass,
@@ -115,7 +115,7 @@ template <class Depth, class Visibility = ZBuffer>
 void foggy_wall(unsigned band) {
   namespace scene = scenes::textured_wall;
   using Shaders = ShaderList<GouraudShader<Rgb565>, FoggedTextureShader<Rgb565, TexelFormat::rgb565>>;
-  measure<RendererTraits<Depth, Rgb565, Shaders, false, Visibility>>(
+  measure<RendererTraits<Rgb565, Shaders, Depth, Visibility>>(
       "S6F", {.vertices = 4, .shades = 4, .textures = 4, .polygons = 2, .active = 2}, band, [&](auto& renderer) {
         (void)renderer.begin(scene::fogged_settings());
         if (!renderer.add(scene::lit_mesh, {}, scene::lit_material).ok()) board::write("bench: a pool is full\n");
@@ -130,7 +130,7 @@ void hidden_walls() {
   Material material = scene::material;
   material.texturing.filter = TextureFilter::bilinear;
   constexpr std::uint32_t corners = 4 * walls, triangles = 2 * walls;
-  measure<GeneralTraits<Rgb565, Depth16<>, false, Visibility>>(
+  measure<GeneralTraits<Rgb565, Depth16<>, Visibility>>(
       "S8", {.instances = walls, .vertices = corners, .textures = corners, .polygons = triangles, .active = triangles},
       16, [&](auto& renderer) {
         (void)renderer.begin(scene::settings());
@@ -164,16 +164,16 @@ void deferred() {
   using Later = Deferred<64>;
   hidden_walls<ZBuffer>();
   hidden_walls<Later>();
-  wall<TextureTraits<Rgb565, Depth16<>, false, Later>>(16);
-  model<FlatTraits<Rgb565, Depth16<>, false, Later>>("S4", ShadingMode::flat, 16);
+  wall<TextureTraits<Rgb565, Depth16<>, Later>>(16);
+  model<FlatTraits<Rgb565, Depth16<>, Later>>("S4", ShadingMode::flat, 16);
 }
 
 template <class Depth, class Visibility = ZBuffer>
 void all(unsigned band) {
   soups<Depth, Visibility>(band);
-  model<FlatTraits<Rgb565, Depth, false, Visibility>>("S4", ShadingMode::flat, band);
-  model<FullTraits<Rgb565, Depth, false, Visibility>>("S5", ShadingMode::gouraud, band);
-  wall<TextureTraits<Rgb565, Depth, false, Visibility>>(band);
+  model<FlatTraits<Rgb565, Depth, Visibility>>("S4", ShadingMode::flat, band);
+  model<GouraudTraits<Rgb565, Depth, Visibility>>("S5", ShadingMode::gouraud, band);
+  wall<TextureTraits<Rgb565, Depth, Visibility>>(band);
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ void print(const Case& c, const char* visibility, std::uint32_t instructions) {
 
 template <class Depth, class Visibility>
 void draw(const Case& c, unsigned band) {
-  using Traits = FlatTraits<Rgb565, Depth, false, Visibility>;
+  using Traits = FlatTraits<Rgb565, Depth, Visibility>;
   const scenes::ScreenSoup soup{std::span(vertices).first(std::size_t{3} * c.triangles),
                                 std::span(colours).first(c.triangles)};
   scenes::make_even_cover(c.leg, c.width, c.height, Depth::bits, soup);

@@ -26,7 +26,7 @@ class Turntable {
  public:
   using Format = std::conditional_t<PanelType::pixel_order == hal::PixelOrder::native, Rgb565, Rgb565Swapped>;
   using Shader = std::conditional_t<shading == ShadingMode::flat, FlatShader<Format>, GouraudShader<Format>>;
-  using Traits = RendererTraits<Depth16<>, Format, ShaderList<Shader>>;
+  using Traits = RendererTraits<Format, ShaderList<Shader>>;
   using Picture = Renderer<Traits>;
 
   /// Frames of a whole turn. The fifth after the start is the view of the benchmark scenes S4 and S5.

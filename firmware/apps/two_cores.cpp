@@ -112,18 +112,18 @@ void bunny(const char* name, ShadingMode shading) {
 
 template <class Depth, class Visibility>
 void all() {
-  using Full = FullTraits<Rgb565, Depth, false, Visibility>;
-  bunny<Full>("S4", ShadingMode::flat);
-  bunny<Full>("S5", ShadingMode::gouraud);
+  using Gouraud = GouraudTraits<Rgb565, Depth, Visibility>;
+  bunny<Gouraud>("S4", ShadingMode::flat);
+  bunny<Gouraud>("S5", ShadingMode::gouraud);
   const scenes::ScreenSoup soup{soup_vertices, soup_colours};
   scenes::make_right_triangles(32, 500, Depth::bits, soup);
-  share<Full>("S2", {.polygons = 500, .active = 500}, [&](auto& renderer) {
+  share<Gouraud>("S2", {.polygons = 500, .active = 500}, [&](auto& renderer) {
     FrameSettings settings;
     settings.cull = Cull::none;
     return renderer.begin(settings).ok() && renderer.add_screen(soup.vertices, soup.colours).ok();
   });
   namespace wall = scenes::textured_wall;
-  share<TextureTraits<Rgb565, Depth, false, Visibility>>(
+  share<TextureTraits<Rgb565, Depth, Visibility>>(
       "S6", {.vertices = 4, .textures = 4, .polygons = 2, .active = 2}, [&](auto& renderer) {
         return renderer.begin(wall::settings()).ok() && renderer.add(wall::mesh, {}, wall::material).ok();
       });

@@ -26,11 +26,11 @@ namespace selftest_detail {
 /// Textures with every kind of light that the scenes have.
 template <class Depth, class Visibility = ZBuffer>
 using TexturesOnly =
-    RendererTraits<Depth, Rgb565,
+    RendererTraits<Rgb565,
                    ShaderList<GouraudShader<Rgb565>, RepeatedTextureShader<Rgb565, TexelFormat::rgb565, NoTexelLight>,
                               RepeatedTextureShader<Rgb565, TexelFormat::rgb565, GouraudTexelLight>,
                               FoggedTextureShader<Rgb565, TexelFormat::rgb565>>,
-                   false, Visibility>;
+                   Depth, Visibility>;
 
 /// Where a run's objects lie in the memory that it gets.
 template <class Traits>
@@ -128,9 +128,8 @@ constexpr auto call(F& f) {
 /// The general shader, opaque and see-through.
 template <class Visibility>
 using SurfaceTraits = RendererTraits<
-    Depth24<>, Rgb565,
-    ShaderList<FlatShader<Rgb565>, GeneralShader<Rgb565>, SeeThroughShader<Rgb565, TranslucentShader<Rgb565>>>, false,
-    Visibility>;
+    Rgb565, ShaderList<FlatShader<Rgb565>, GeneralShader<Rgb565>, SeeThroughShader<Rgb565, TranslucentShader<Rgb565>>>,
+    Depth24<>, Visibility>;
 
 /// Calls f.template operator()<Traits>() for the renderer. F names its result type.
 template <std::uint32_t Memory, class F>
@@ -142,22 +141,22 @@ constexpr auto with_traits(SelftestRenderer renderer, F&& f) {
       return call<Memory, flat_16, FlatTraits<Rgb565, Depth16<>>>(f);
     case flat_16_larger:
       return call<Memory, flat_16_larger, FlatTraits<Rgb565, Depth16<larger>>>(f);
-    case full_16:
-      return call<Memory, full_16, FullTraits<Rgb565, Depth16<>>>(f);
+    case gouraud_16:
+      return call<Memory, gouraud_16, GouraudTraits<Rgb565, Depth16<>>>(f);
     case swapped_16:
-      return call<Memory, swapped_16, FullTraits<Rgb565Swapped, Depth16<>>>(f);
-    case full_24:
-      return call<Memory, full_24, FullTraits<Rgb565, Depth24<>>>(f);
+      return call<Memory, swapped_16, GouraudTraits<Rgb565Swapped, Depth16<>>>(f);
+    case gouraud_24:
+      return call<Memory, gouraud_24, GouraudTraits<Rgb565, Depth24<>>>(f);
     case span_flat:
-      return call<Memory, span_flat, FlatTraits<Rgb565, Depth24<>, false, Spanning>>(f);
-    case span_full:
-      return call<Memory, span_full, FullTraits<Rgb565, Depth24<>, false, Spanning>>(f);
+      return call<Memory, span_flat, FlatTraits<Rgb565, Depth24<>, Spanning>>(f);
+    case span_gouraud:
+      return call<Memory, span_gouraud, GouraudTraits<Rgb565, Depth24<>, Spanning>>(f);
     case layers_16:
       return call<Memory, layers_16, SeeThroughTraits<Rgb565, Depth16<>>>(f);
     case layers_24:
       return call<Memory, layers_24, SeeThroughTraits<Rgb565, Depth24<>>>(f);
     case span_layers:
-      return call<Memory, span_layers, SeeThroughTraits<Rgb565, Depth24<>, false, Spanning>>(f);
+      return call<Memory, span_layers, SeeThroughTraits<Rgb565, Depth24<>, Spanning>>(f);
     case surfaces_24:
       return call<Memory, surfaces_24, SurfaceTraits<ZBuffer>>(f);
     case span_surfaces:
@@ -166,10 +165,10 @@ constexpr auto with_traits(SelftestRenderer renderer, F&& f) {
       return call<Memory, textures_16, TexturesOnly<Depth16<>>>(f);
     case span_textures:
       return call<Memory, span_textures, TexturesOnly<Depth24<>, Spanning>>(f);
-    case full_24_larger:
+    case gouraud_24_larger:
       break;
   }
-  return call<Memory, full_24_larger, FullTraits<Rgb565, Depth24<larger>>>(f);
+  return call<Memory, gouraud_24_larger, GouraudTraits<Rgb565, Depth24<larger>>>(f);
 }
 
 }  // namespace selftest_detail

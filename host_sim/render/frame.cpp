@@ -162,7 +162,7 @@ std::uint64_t distinct_ids(const std::vector<std::uint32_t>& ids, std::size_t tr
 
 /// What colours are drawn with: one list of shaders for everything that a model may have.
 template <class Depth, class Visibility>
-using Colours = GeneralSeeThroughTraits<Rgb565, Depth, true, Visibility>;
+using Colours = GeneralSeeThroughTraits<Rgb565, Depth, Counted, Visibility>;
 
 /// Draws the colour picture and, where asked, the picture of ids, with one format of depth.
 template <class Depth, class Visibility>
@@ -211,7 +211,7 @@ class FrameDrawing {
 
   PickedPixel pick(int x, int y) {
     set_up({}, {});
-    Pass<IdTraits<Depth, true, Visibility>> pass(meshes_, settings_, materials_);
+    Pass<IdTraits<Depth, Counted, Visibility>> pass(meshes_, settings_, materials_);
     Picked<Depth> picked;
     pass.run(capacity_, memory_, [&](auto& renderer) { return spanline::pick(renderer, x, y, picked); });
     return {picked.id, picked.id == 0 ? background_depth(Depth::bits) : picked.depth};
@@ -299,7 +299,7 @@ class FrameDrawing {
 
   void draw_ids(Frame& frame) {
     if (triangles_ >= (1u << 24)) throw Failure("pictures of ids count to 16777215, and the model has more triangles");
-    Pass<IdTraits<Depth, false, Visibility>> pass(meshes_, settings_, materials_);
+    Pass<IdTraits<Depth, Visibility>> pass(meshes_, settings_, materials_);
     pass.run(capacity_, memory_, triangles_);
     const std::uint64_t visible = distinct_ids(pass.pixels, triangles_);
     frame.statistics.polygons.visible = visible;

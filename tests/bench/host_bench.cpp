@@ -53,8 +53,8 @@ struct Desk {
 };
 
 using Flat = FlatTraits<Rgb565>;
-using Full = FullTraits<Rgb565>;
-using Spans = FlatTraits<Rgb565, Depth24<>, false, Spanning>;
+using Gouraud = GouraudTraits<Rgb565>;
+using Spans = FlatTraits<Rgb565, Depth24<>, Spanning>;
 
 void transform_of_vertices(benchmark::State& state) {
   const scenes::ModelView view = scenes::model_view(mesh, Angle::from_degrees(30), 240, ShadingMode::flat);
@@ -106,17 +106,17 @@ constexpr auto flat = ShadingMode::flat, gouraud = ShadingMode::gouraud;
 
 BENCHMARK(transform_of_vertices)->Name("stage/vertices to the screen");
 BENCHMARK(geometry<Flat, flat>)->Name("stage/geometry, flat");
-BENCHMARK(geometry<Full, gouraud>)->Name("stage/geometry, gouraud");
+BENCHMARK(geometry<Gouraud, gouraud>)->Name("stage/geometry, gouraud");
 BENCHMARK(clearing)->Name("stage/clearing");
 BENCHMARK(drawing<Flat, flat, 240>)->Name("stage/drawing, S4 zbuffer");
 BENCHMARK(drawing<Flat, flat, 16>)->Name("stage/drawing, S4 scanline-z");
 BENCHMARK(drawing<Spans, flat, 16>)->Name("stage/drawing, S4 span");
-BENCHMARK(drawing<Full, gouraud, 16>)->Name("stage/drawing, S5 scanline-z");
+BENCHMARK(drawing<Gouraud, gouraud, 16>)->Name("stage/drawing, S5 scanline-z");
 BENCHMARK(frame<Flat, flat, 240>)->Name("frame/S4 zbuffer");
 BENCHMARK(frame<Flat, flat, 16>)->Name("frame/S4 scanline-z");
 BENCHMARK(frame<Spans, flat, 16>)->Name("frame/S4 span");
-BENCHMARK(frame<Full, gouraud, 240>)->Name("frame/S5 zbuffer");
-BENCHMARK(frame<Full, gouraud, 16>)->Name("frame/S5 scanline-z");
+BENCHMARK(frame<Gouraud, gouraud, 240>)->Name("frame/S5 zbuffer");
+BENCHMARK(frame<Gouraud, gouraud, 16>)->Name("frame/S5 scanline-z");
 
 }  // namespace
 

@@ -9,7 +9,7 @@ namespace {
 
 template <class Visibility>
 Drawing draw_by(const Scene& scene, const Manner& manner) {
-  return draw_with<GeneralSeeThroughTraits<Rgb565, Depth24<>, false, Visibility>>(scene, manner);
+  return draw_with<GeneralSeeThroughTraits<Rgb565, Depth24<>, Visibility>>(scene, manner);
 }
 
 }  // namespace

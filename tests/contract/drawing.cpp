@@ -13,17 +13,16 @@ namespace {
 
 /// Flat shading, opaque and see-through.
 template <class Depth, class Visibility>
-using LayerTraits =
-    RendererTraits<Depth, Rgb565, ShaderList<FlatShader<Rgb565>, SeeThroughShader<Rgb565, FlatShader<Rgb565>>>, false,
-                   Visibility>;
+using LayerTraits = RendererTraits<Rgb565, ShaderList<FlatShader<Rgb565>, SeeThroughShader<Rgb565, FlatShader<Rgb565>>>,
+                                   Depth, Visibility>;
 
 template <class Visibility, DepthSense Sense>
 Drawing draw_in(const Scene& scene, const Manner& manner) {
   if (manner.content == Manner::Content::ids)
-    return draw_with<IdTraits<Depth24<Sense>, true, Visibility>>(scene, manner);
+    return draw_with<IdTraits<Depth24<Sense>, Counted, Visibility>>(scene, manner);
   if (manner.content == Manner::Content::layers)
     return draw_with<LayerTraits<Depth24<Sense>, Visibility>>(scene, manner);
-  return draw_with<FullTraits<Rgb565, Depth24<Sense>, false, Visibility>>(scene, manner);
+  return draw_with<GouraudTraits<Rgb565, Depth24<Sense>, Visibility>>(scene, manner);
 }
 
 template <class Visibility>
@@ -57,8 +56,9 @@ Drawing reference(const Scene& scene, Manner manner) { return draw_by<ZBuffer>(s
 Drawing draw_16_bits(const sim::VisibilityEntry& algorithm, const Scene& scene) {
   Manner manner;
   if (!algorithm.full_frame) manner.band_lines = 16;
-  return sim::with_visibility(
-      algorithm, [&]<class Visibility>() { return draw_with<IdTraits<Depth16<>, true, Visibility>>(scene, manner); });
+  return sim::with_visibility(algorithm, [&]<class Visibility>() {
+    return draw_with<IdTraits<Depth16<>, Counted, Visibility>>(scene, manner);
+  });
 }
 
 }  // namespace spanline::contract

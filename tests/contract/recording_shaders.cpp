@@ -45,7 +45,7 @@ struct RecordingShaders : ShaderList<IdShader> {
   }
 };
 
-using Traits = RendererTraits<Depth24<>, PolygonIds, RecordingShaders, false, Spanning>;
+using Traits = RendererTraits<PolygonIds, RecordingShaders, Depth24<>, Spanning>;
 
 /// Empties the record before each band, and takes it down behind.
 struct Sink {

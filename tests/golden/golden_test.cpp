@@ -24,10 +24,10 @@ constexpr std::uint32_t all_memory = std::numeric_limits<std::uint32_t>::max();
 int golden_bits(SelftestRenderer renderer) {
   switch (renderer) {
     case SelftestRenderer::flat_16:
-    case SelftestRenderer::full_16:
+    case SelftestRenderer::gouraud_16:
     case SelftestRenderer::textures_16:
       return 16;
-    case SelftestRenderer::full_24:
+    case SelftestRenderer::gouraud_24:
       return 24;
     default:
       return 0;

@@ -12,7 +12,7 @@ namespace {
 using scenes::SelftestRenderer;
 
 bool larger_is_nearer(SelftestRenderer renderer) {
-  return renderer == SelftestRenderer::flat_16_larger || renderer == SelftestRenderer::full_24_larger;
+  return renderer == SelftestRenderer::flat_16_larger || renderer == SelftestRenderer::gouraud_24_larger;
 }
 
 /// Gathers the bands of a picture, which come from the top down.

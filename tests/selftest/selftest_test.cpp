@@ -23,7 +23,7 @@ using scenes::SelftestScene;
 constexpr std::uint32_t all_memory = std::numeric_limits<std::uint32_t>::max();
 
 bool has_24_bits(SelftestRenderer renderer) {
-  return renderer == SelftestRenderer::full_24 || renderer == SelftestRenderer::full_24_larger ||
+  return renderer == SelftestRenderer::gouraud_24 || renderer == SelftestRenderer::gouraud_24_larger ||
          renderer == SelftestRenderer::layers_24 || renderer == SelftestRenderer::surfaces_24 ||
          scenes::is_spanning(renderer);
 }
@@ -74,7 +74,7 @@ TEST(SelftestScenes, NoPictureIsEmpty) {
 TEST(SelftestScenes, NoSmoothSurfaceIsDarkerThanAmbientLight) {
   const std::set<std::string> smooth{"bunny-gouraud", "teapot-gouraud", "lights", "lights-smooth-small"};
   scenes::for_each_selftest_run(all_memory, [&](const SelftestScene& scene, const SelftestRun& run) {
-    if (!smooth.contains(scene.name) || run.renderer != SelftestRenderer::full_16) return;
+    if (!smooth.contains(scene.name) || run.renderer != SelftestRenderer::gouraud_16) return;
     int wrapped = 0;
     const test::HostPicture drawn = test::draw_on_host(scene, run);
     for (std::size_t i = 0; i < drawn.pixels.size(); ++i)

@@ -35,7 +35,7 @@ std::vector<std::uint16_t> draw(const Mesh& mesh, ShadingMode shading, std::uint
                           .vertices = vertices,
                           .shades = vertices,
                           .polygons = static_cast<std::uint32_t>(mesh.triangle_count())};
-  using Picture = Renderer<FullTraits<Rgb565>>;
+  using Picture = Renderer<GouraudTraits<Rgb565>>;
   std::vector<std::byte> memory(Picture::bytes_needed(capacity));
   Picture renderer(capacity, memory);
   std::vector<std::uint16_t> pixels;

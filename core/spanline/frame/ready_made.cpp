@@ -7,17 +7,17 @@ namespace spanline {
 
 template class Renderer<FlatTraits<Rgb565>>;
 template class Renderer<FlatTraits<Rgb565Swapped>>;
-template class Renderer<FullTraits<Rgb565>>;
-template class Renderer<FullTraits<Rgb565Swapped>>;
-template class Renderer<FullTraits<Rgb565, Depth24<>>>;
-template class Renderer<FlatTraits<Rgb565, Depth16<>, false, BoundedZBuffer>>;
-template class Renderer<FlatTraits<Rgb565, Depth24<>, false, Spanning>>;
-template class Renderer<FullTraits<Rgb565, Depth24<>, false, Spanning>>;
+template class Renderer<GouraudTraits<Rgb565>>;
+template class Renderer<GouraudTraits<Rgb565Swapped>>;
+template class Renderer<GouraudTraits<Rgb565, Depth24<>>>;
+template class Renderer<FlatTraits<Rgb565, Depth16<>, BoundedZBuffer>>;
+template class Renderer<FlatTraits<Rgb565, Depth24<>, Spanning>>;
+template class Renderer<GouraudTraits<Rgb565, Depth24<>, Spanning>>;
 template class Renderer<TextureTraits<Rgb565>>;
 template class Renderer<TextureTraits<Rgb565Swapped>>;
 template class Renderer<TextureTraits<Rgb565, Depth24<>>>;
-template class Renderer<TextureTraits<Rgb565, Depth24<>, false, Spanning>>;
+template class Renderer<TextureTraits<Rgb565, Depth24<>, Spanning>>;
 template class Renderer<SeeThroughTraits<Rgb565>>;
-template class Renderer<SeeThroughTraits<Rgb565, Depth24<>, false, Spanning>>;
+template class Renderer<SeeThroughTraits<Rgb565, Depth24<>, Spanning>>;
 
 }  // namespace spanline

@@ -48,53 +48,58 @@ using GeneralShaders =
                 LevelTextureShader<Format, TextureFilter::nearest, GouraudTexelLight>, GeneralShader<Format>,
                 LocalFlatShader<Format>, ReliefShader<Format>, VolumeShader<Format>>;
 
-/// Flat shading, 16-bit depth: the smallest renderer.
-template <class Format = Rgb565, class Depth = Depth16<>, bool Statistics = false, class Visibility = ZBuffer>
-using FlatTraits = RendererTraits<Depth, Format, ShaderList<FlatShader<Format>>, Statistics, Visibility>;
+// Traits by what they shade. Behind the pixel format stand options in any order, each at most once: a depth format
+// (Depth16<> if none is named), a visibility algorithm (ZBuffer if none is named), and Counted (frame/traits.hpp).
+//
+//     FlatTraits<>                               // RGB565, 16-bit depth, a z-buffer
+//     FlatTraits<Rgb565, Depth24<>, Spanning>    // 24-bit depth by spanning scan line
+
+/// Flat shading: the smallest renderer.
+template <class Format = Rgb565, class... Options>
+using FlatTraits = RendererTraits<Format, ShaderList<FlatShader<Format>>, Options...>;
 
 /// Flat and Gouraud shading, with vertex colours.
-template <class Format = Rgb565, class Depth = Depth16<>, bool Statistics = false, class Visibility = ZBuffer>
-using FullTraits = RendererTraits<Depth, Format, PlainShaders<Format>, Statistics, Visibility>;
+template <class Format = Rgb565, class... Options>
+using GouraudTraits = RendererTraits<Format, PlainShaders<Format>, Options...>;
 
 /// The same with point lights and highlights.
-template <class Format = Rgb565, class Depth = Depth16<>, bool Statistics = false, class Visibility = ZBuffer>
-using LocalLightTraits =
-    RendererTraits<Depth, Format, WithShaders<PlainShaders<Format>, LocalFlatShader<Format>>, Statistics, Visibility>;
+template <class Format = Rgb565, class... Options>
+using LocalLightTraits = RendererTraits<Format, WithShaders<PlainShaders<Format>, LocalFlatShader<Format>>, Options...>;
 
 /// Flat and Gouraud shading, opaque and see-through.
-template <class Format = Rgb565, class Depth = Depth16<>, bool Statistics = false, class Visibility = ZBuffer>
+template <class Format = Rgb565, class... Options>
 using SeeThroughTraits = RendererTraits<
-    Depth, Format,
+    Format,
     WithShaders<PlainShaders<Format>, SeeThroughShader<Format, FlatShader<Format>>,
                 SeeThroughShader<Format, GouraudShader<Format>>, SeeThroughShader<Format, GouraudColourShader<Format>>>,
-    Statistics, Visibility>;
+    Options...>;
 
 /// Textures at their nearest texel.
-template <class Format = Rgb565, class Depth = Depth16<>, bool Statistics = false, class Visibility = ZBuffer>
-using TextureTraits = RendererTraits<Depth, Format, TextureShaders<Format>, Statistics, Visibility>;
+template <class Format = Rgb565, class... Options>
+using TextureTraits = RendererTraits<Format, TextureShaders<Format>, Options...>;
 
 /// The same, and textures in fog. In a frame with fog it draws nothing but those.
-template <class Format = Rgb565, class Depth = Depth16<>, bool Statistics = false, class Visibility = ZBuffer>
+template <class Format = Rgb565, class... Options>
 using FoggedTextureTraits =
-    RendererTraits<Depth, Format, WithShaders<TextureShaders<Format>, FoggedTextureShader<Format, TexelFormat::rgb565>>,
-                   Statistics, Visibility>;
+    RendererTraits<Format, WithShaders<TextureShaders<Format>, FoggedTextureShader<Format, TexelFormat::rgb565>>,
+                   Options...>;
 
 /// Everything that is opaque.
-template <class Format = Rgb565, class Depth = Depth16<>, bool Statistics = false, class Visibility = ZBuffer>
-using GeneralTraits = RendererTraits<Depth, Format, GeneralShaders<Format>, Statistics, Visibility>;
+template <class Format = Rgb565, class... Options>
+using GeneralTraits = RendererTraits<Format, GeneralShaders<Format>, Options...>;
 
 /// All of it, opaque and see-through, and opacities that vary over a polygon.
-template <class Format = Rgb565, class Depth = Depth16<>, bool Statistics = false, class Visibility = ZBuffer>
+template <class Format = Rgb565, class... Options>
 using GeneralSeeThroughTraits = RendererTraits<
-    Depth, Format,
+    Format,
     WithShaders<GeneralShaders<Format>, SeeThroughShader<Format, FlatShader<Format>>,
                 SeeThroughShader<Format, GouraudShader<Format>>, SeeThroughShader<Format, GouraudColourShader<Format>>,
                 SeeThroughShader<Format, ReliefShader<Format>>, SeeThroughShader<Format, VolumeShader<Format>>,
                 SeeThroughShader<Format, TranslucentShader<Format>>>,
-    Statistics, Visibility>;
+    Options...>;
 
-/// Draws polygon numbers instead of colours.
-template <class Depth = Depth16<>, bool Statistics = false, class Visibility = ZBuffer>
-using IdTraits = RendererTraits<Depth, PolygonIds, ShaderList<IdShader>, Statistics, Visibility>;
+/// Draws polygon numbers instead of colours; options alone, since there is one format of numbers.
+template <class... Options>
+using IdTraits = RendererTraits<PolygonIds, ShaderList<IdShader>, Options...>;
 
 }  // namespace spanline

@@ -1,20 +1,105 @@
 #pragma once
-#include "spanline/visibility/span/spanning_scan_line.hpp"
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+
+#include "spanline/raster/depth_format.hpp"
 #include "spanline/visibility/zbuffer/depth_buffer.hpp"
 
 namespace spanline {
 
-/// What a renderer is made of, chosen when the program is compiled. A program links what its traits name and nothing
-/// else.
-template <class DepthFormatT, class PixelFormat, class ShaderListT, bool Statistics = false,
-          class VisibilityT = ZBuffer>
-struct RendererTraits {
-  using Depth = DepthFormatT;      ///< Depth16<…> or Depth24<…>
-  using Format = PixelFormat;      ///< Rgb565, Rgb565Swapped or PolygonIds
-  using Shaders = ShaderListT;     ///< ShaderList<…>
-  using Visibility = VisibilityT;  ///< ZBuffer, BoundedZBuffer, Deferred<…> or Spanning
-  static constexpr bool statistics =
-      Statistics;  ///< count spans, pixels and depth tests, and tell the sink of covered polygons
+/// An option of renderer traits: spans, pixels and depth tests are counted, and the sink is told of every triangle that
+/// covers a pixel centre. It costs time, so that a program asks for it.
+struct Counted {};
+
+/// A format of depths: Depth16<…> or Depth24<…>.
+template <class Option>
+concept DepthOption = requires(std::uint32_t plane_word, typename Option::Word kept) {
+  { Option::bits } -> std::convertible_to<int>;
+  { Option::clear } -> std::convertible_to<typename Option::Word>;
+  { Option::hides(plane_word, kept) } -> std::same_as<bool>;
 };
+
+namespace traits_options {
+template <template <class, class, class, bool> class>
+struct AnAlgorithm;
+}  // namespace traits_options
+
+/// A choice of visibility algorithm, by its member template Algorithm<Depth, Pixel, Shaders, counts>: ZBuffer,
+/// BoundedZBuffer, Deferred<…> or Spanning.
+template <class Option>
+concept VisibilityOption = requires {
+  typename traits_options::AnAlgorithm<Option::template Algorithm>;
+};
+
+namespace traits_options {
+
+template <class Option>
+inline constexpr bool is_counted = std::same_as<Option, Counted>;
+
+/// The first depth format among the options, or the default.
+template <class Default, class... Options>
+struct DepthOf {
+  using Type = Default;
+};
+template <class Default, class First, class... Rest>
+struct DepthOf<Default, First, Rest...> : DepthOf<Default, Rest...> {};
+template <class Default, DepthOption First, class... Rest>
+struct DepthOf<Default, First, Rest...> {
+  using Type = First;
+};
+
+/// The same for visibility.
+template <class Default, class... Options>
+struct VisibilityOf {
+  using Type = Default;
+};
+template <class Default, class First, class... Rest>
+struct VisibilityOf<Default, First, Rest...> : VisibilityOf<Default, Rest...> {};
+template <class Default, VisibilityOption First, class... Rest>
+struct VisibilityOf<Default, First, Rest...> {
+  using Type = First;
+};
+
+/// What options say, in whatever order: the same choices are the same type.
+template <class... Options>
+struct Chosen {
+  static_assert(((DepthOption<Options> || VisibilityOption<Options> || is_counted<Options>)&&...),
+                "an option of renderer traits is a depth format (Depth16<>, Depth24<>), a visibility algorithm "
+                "(ZBuffer, BoundedZBuffer, Deferred<>, Spanning) or Counted");
+  static_assert((std::size_t{0} + ... + std::size_t{DepthOption<Options>}) <= 1,
+                "renderer traits take one depth format, and these name two");
+  static_assert((std::size_t{0} + ... + std::size_t{VisibilityOption<Options>}) <= 1,
+                "renderer traits take one visibility algorithm, and these name two");
+  static_assert((std::size_t{0} + ... + std::size_t{is_counted<Options>}) <= 1, "renderer traits name Counted twice");
+
+  using Depth = typename DepthOf<Depth16<>, Options...>::Type;
+  using Visibility = typename VisibilityOf<ZBuffer, Options...>::Type;
+  static constexpr bool counted = (is_counted<Options> || ...);
+};
+
+/// What a renderer is made of, each choice in its place.
+template <class PixelFormat, class ShaderListT, class DepthFormatT, class VisibilityT, bool IsCounted>
+struct Traits {
+  using Format = PixelFormat;                    ///< Rgb565, Rgb565Swapped or PolygonIds
+  using Shaders = ShaderListT;                   ///< ShaderList<…>
+  using Depth = DepthFormatT;                    ///< a DepthOption
+  using Visibility = VisibilityT;                ///< a VisibilityOption
+  static constexpr bool statistics = IsCounted;  ///< whether Counted is among the options
+};
+
+}  // namespace traits_options
+
+/// What a renderer is made of, chosen when the program is compiled: a pixel format, a list of shaders, and options in
+/// any order, each at most once. A program links what its traits name and nothing else.
+///
+///     RendererTraits<Rgb565, ShaderList<FlatShader<Rgb565>>>                       // Depth16<> and ZBuffer
+///     RendererTraits<Rgb565, ShaderList<FlatShader<Rgb565>>, Depth24<>, Spanning>
+///
+/// Lists of shaders that most programs want have names of their own (frame/ready_made_traits.hpp).
+template <class Format, class Shaders, class... Options>
+using RendererTraits = traits_options::Traits<Format, Shaders, typename traits_options::Chosen<Options...>::Depth,
+                                              typename traits_options::Chosen<Options...>::Visibility,
+                                              traits_options::Chosen<Options...>::counted>;
 
 }  // namespace spanline

@@ -6,7 +6,7 @@
 
 namespace spanline::sim::board {
 
-using Board = Renderer<FullTraits<>>;
+using Board = Renderer<GouraudTraits<>>;
 
 constexpr std::size_t bytes_of_eight(std::uint32_t Capacity::*pool) {
   Capacity more;

@@ -15,7 +15,7 @@ namespace spanline::test {
 namespace {
 
 using Flat = FlatTraits<Rgb565, Depth24<>>;
-using Spans = FlatTraits<Rgb565, Depth24<>, false, Spanning>;
+using Spans = FlatTraits<Rgb565, Depth24<>, Spanning>;
 
 constexpr int width = 40, height = 25;
 

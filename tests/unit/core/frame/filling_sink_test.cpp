@@ -117,9 +117,9 @@ class Frames {
 
 template <class Traits>
 class Filling : public ::testing::Test {};
-using AllTraits = ::testing::Types<FlatTraits<Rgb565, Depth16<>>, FlatTraits<Rgb565, Depth24<>>,
-                                   FlatTraits<Rgb565, Depth16<>, false, BoundedZBuffer>,
-                                   FlatTraits<Rgb565, Depth16<>, false, Deferred<>>>;
+using AllTraits =
+    ::testing::Types<FlatTraits<Rgb565, Depth16<>>, FlatTraits<Rgb565, Depth24<>>,
+                     FlatTraits<Rgb565, Depth16<>, BoundedZBuffer>, FlatTraits<Rgb565, Depth16<>, Deferred<>>>;
 TYPED_TEST_SUITE(Filling, AllTraits);
 
 TYPED_TEST(Filling, GivesTheSameBytesWheneverTheHardwareDoesItsWork) {

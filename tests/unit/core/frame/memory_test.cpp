@@ -11,7 +11,7 @@
 namespace spanline::test {
 namespace {
 
-using R = Renderer<FullTraits<Rgb565, Depth16<>>>;
+using R = Renderer<GouraudTraits<Rgb565, Depth16<>>>;
 
 Capacity some_capacity(Random& random) {
   Capacity c;
@@ -78,7 +78,7 @@ TEST(Memory, PeaksNeverExceedWhatWasGiven) {
     std::vector<Corners> soup(10);
     for (Corners& t : soup)
       for (Corner& k : t) k = {random.between(0, c.width * 16), random.between(0, c.height * 16), 5};
-    Studio<FullTraits<Rgb565, Depth16<>>> studio(c);
+    Studio<GouraudTraits<Rgb565, Depth16<>>> studio(c);
     (void)studio.draw_screen(soup);
     ASSERT_TRUE(studio.status().ok());
     ASSERT_LE(studio.renderer().peaks().total(), R::bytes_needed(c));
@@ -88,7 +88,7 @@ TEST(Memory, PeaksNeverExceedWhatWasGiven) {
 /// Triangles that are all active at once, and others before and after them.
 template <class Visibility>
 void check_active_peak() {
-  using Traits = FlatTraits<Rgb565, Depth24<>, false, Visibility>;
+  using Traits = FlatTraits<Rgb565, Depth24<>, Visibility>;
   std::vector<Corners> triangles;
   const auto add = [&](int from, int to) {
     const auto left = static_cast<int>(triangles.size()) * 160, z = 1000 + left;

@@ -16,7 +16,7 @@ namespace spanline::test {
 namespace {
 
 using namespace spanline::literals;
-using Traits = FullTraits<Rgb565, Depth16<>>;
+using Traits = GouraudTraits<Rgb565, Depth16<>>;
 
 /// A frame that takes something of every pool: two meshes of n-gons and triangles, cut by the near plane and in bands.
 struct Scene {

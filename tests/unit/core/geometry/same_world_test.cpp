@@ -14,7 +14,7 @@
 namespace spanline::test {
 namespace {
 
-using Colours = FullTraits<Rgb565, Depth24<>>;
+using Colours = GouraudTraits<Rgb565, Depth24<>>;
 
 template <class Traits>
 Picture<Traits> draw(const FrameView& view, const Mesh& mesh, const Transform& transform,

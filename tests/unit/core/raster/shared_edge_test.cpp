@@ -18,7 +18,7 @@
 namespace spanline::test {
 namespace {
 
-using Traits = FlatTraits<Rgb565, Depth16<>, true>;
+using Traits = FlatTraits<Rgb565, Depth16<>, Counted>;
 
 struct Point {
   int x, y;

@@ -56,8 +56,7 @@ TEST(Average, EightSamplesOfFullWhiteAreWhite) { EXPECT_EQ(sample_mean(8 * sprea
 /// against blending.
 double error_against_blending(unsigned factor, unsigned seed) {
   constexpr std::uint16_t size = 64;
-  using Traits =
-      RendererTraits<Depth16<>, Rgb565, ShaderList<FlatShader<Rgb565>, SeeThroughShader<Rgb565, FlatShader<Rgb565>>>>;
+  using Traits = RendererTraits<Rgb565, ShaderList<FlatShader<Rgb565>, SeeThroughShader<Rgb565, FlatShader<Rgb565>>>>;
   const std::array<std::uint16_t, 4> colours{0x001f, 0xf800, 0x07e0, 0xffff};
   const std::array<std::uint8_t, 4> opacities{255, 102, 153, 64};
   Capacity capacity;

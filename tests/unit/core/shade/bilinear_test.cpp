@@ -12,8 +12,7 @@ namespace spanline::test {
 namespace {
 
 template <class Shader, class Depth = Depth24<>, class Visibility = ZBuffer>
-using Alone =
-    RendererTraits<Depth, Rgb565, ShaderList<FlatShader<Rgb565>, GouraudShader<Rgb565>, Shader>, false, Visibility>;
+using Alone = RendererTraits<Rgb565, ShaderList<FlatShader<Rgb565>, GouraudShader<Rgb565>, Shader>, Depth, Visibility>;
 using Fast = LevelTextureShader<Rgb565, TextureFilter::bilinear, NoTexelLight>;
 
 /// The mean of the four texels around a point of the texture, in steps of RGB565's channels.

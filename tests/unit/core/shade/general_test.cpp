@@ -16,9 +16,8 @@ namespace {
 
 template <class Depth = Depth16<>, class Visibility = ZBuffer>
 using GeneralAlone = RendererTraits<
-    Depth, Rgb565,
-    ShaderList<FlatShader<Rgb565>, GouraudShader<Rgb565>, GouraudColourShader<Rgb565>, GeneralShader<Rgb565>>, false,
-    Visibility>;
+    Rgb565, ShaderList<FlatShader<Rgb565>, GouraudShader<Rgb565>, GouraudColourShader<Rgb565>, GeneralShader<Rgb565>>,
+    Depth, Visibility>;
 
 constexpr std::array<TexelFormat, 5> formats{TexelFormat::rgb565, TexelFormat::rgb565_cutout, TexelFormat::argb4444,
                                              TexelFormat::palette16, TexelFormat::palette256};
@@ -161,7 +160,7 @@ TEST(GeneralShader, BandsAndSpansDrawTheSameBytes) {
     if (random.chance(2)) material.texturing.filter = TextureFilter::bilinear;
     if (random.chance(3)) material.texturing.coordinates = TextureCoordinates::sphere_map;
     using ByBuffer = GeneralTraits<Rgb565, Depth24<>>;
-    using BySpans = GeneralTraits<Rgb565, Depth24<>, false, Spanning>;
+    using BySpans = GeneralTraits<Rgb565, Depth24<>, Spanning>;
     expect_alike_in_bands_and_spans<ByBuffer, BySpans>(shaded.instance, shaded.settings, material);
     ASSERT_FALSE(HasFailure()) << "round " << i;
   }

@@ -251,7 +251,7 @@ TEST(LocalLight, PicturesHaveItFlatAndSmooth) {
     };
     // Fog that begins far behind asks for the general shader.
     check(draw(static_cast<LocalLightTraits<>*>(nullptr)));
-    check(draw(static_cast<LocalLightTraits<Rgb565, Depth24<>, false, Spanning>*>(nullptr)));
+    check(draw(static_cast<LocalLightTraits<Rgb565, Depth24<>, Spanning>*>(nullptr)));
     t.settings.fog = {FogCurve::linear, Q16_16::from_int(500), Q16_16::from_int(900), {}};
     check(draw(static_cast<GeneralTraits<>*>(nullptr)));
     t.settings.fog = {};
@@ -266,7 +266,7 @@ TEST(LocalLight, RenderersWithoutItRefuse) {
   ShadedTriangle t(random);
   const Mesh mesh = t.owned.view();
   const std::vector<PointLight> points(1);
-  Studio<FullTraits<>> studio(mesh_capacity(ShadedTriangle::size, ShadedTriangle::size, 1, 3, 1));
+  Studio<GouraudTraits<>> studio(mesh_capacity(ShadedTriangle::size, ShadedTriangle::size, 1, 3, 1));
   Material shiny;
   shiny.specular = {255, 255, 255};
   for (const ShadingMode mode : {ShadingMode::flat, ShadingMode::gouraud}) {

@@ -16,9 +16,8 @@ namespace {
 
 /// Relief and solids, opaque and see-through.
 using PixelwiseTraits = RendererTraits<
-    Depth16<>, Rgb565,
-    ShaderList<ReliefShader<Rgb565>, VolumeShader<Rgb565>, SeeThroughShader<Rgb565, ReliefShader<Rgb565>>,
-               SeeThroughShader<Rgb565, VolumeShader<Rgb565>>>>;
+    Rgb565, ShaderList<ReliefShader<Rgb565>, VolumeShader<Rgb565>, SeeThroughShader<Rgb565, ReliefShader<Rgb565>>,
+                       SeeThroughShader<Rgb565, VolumeShader<Rgb565>>>>;
 
 /// One colour all over, as a solid and as a relief without heights.
 struct Surfaces {

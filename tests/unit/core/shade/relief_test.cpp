@@ -16,9 +16,8 @@ namespace {
 
 template <class Depth = Depth16<>, class Visibility = ZBuffer>
 using ReliefTraits = RendererTraits<
-    Depth, Rgb565,
-    ShaderList<FlatShader<Rgb565>, GouraudShader<Rgb565>, GouraudColourShader<Rgb565>, ReliefShader<Rgb565>>, false,
-    Visibility>;
+    Rgb565, ShaderList<FlatShader<Rgb565>, GouraudShader<Rgb565>, GouraudColourShader<Rgb565>, ReliefShader<Rgb565>>,
+    Depth, Visibility>;
 
 TEST(LitTexel, ChannelsAreRounded) {
   for (std::uint32_t channel = 0; channel < 64; ++channel)
@@ -182,7 +181,7 @@ TEST(Relief, WhatItCannotDrawIsRefused) {
   Material material{};
   material.relief.heights = &heights.map;
   EXPECT_EQ(status(material, plain, static_cast<ReliefTraits<>*>(nullptr)), Fault::none);
-  EXPECT_EQ(status(material, plain, static_cast<FullTraits<>*>(nullptr)), Fault::shader_missing);
+  EXPECT_EQ(status(material, plain, static_cast<GouraudTraits<>*>(nullptr)), Fault::shader_missing);
   EXPECT_EQ(status(material, plain, static_cast<TextureTraits<>*>(nullptr)), Fault::shader_missing);
   EXPECT_EQ(status(material, plain, static_cast<GeneralTraits<>*>(nullptr)), Fault::none);
   material.specular = {9, 9, 9};

@@ -44,8 +44,8 @@ struct ShadedTriangle {
   }
 
   template <class Format>
-  [[nodiscard]] Picture<FullTraits<Format>> draw(const Material& material) const {
-    Studio<FullTraits<Format>> studio(mesh_capacity(size, size, 1, 3, 1));
+  [[nodiscard]] Picture<GouraudTraits<Format>> draw(const Material& material) const {
+    Studio<GouraudTraits<Format>> studio(mesh_capacity(size, size, 1, 3, 1));
     const Mesh mesh = owned.view();
     studio.begin(settings);
     studio.add(mesh, transform, material);

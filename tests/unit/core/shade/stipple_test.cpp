@@ -96,7 +96,7 @@ TEST(Stipple, OpacitiesOfEightBitsAreRoundedToTheNearestLevel) {
 /// 64 × 32 pixels under one layer that covers all: where it is there.
 std::vector<std::uint16_t> layer_by_seed(Transparency transparency, std::uint8_t seed) {
   using Shaders = ShaderList<FlatShader<Rgb565>, SeeThroughShader<Rgb565, FlatShader<Rgb565>>>;
-  Studio<RendererTraits<Depth16<>, Rgb565, Shaders>> studio(screen_capacity(64, 32, 1));
+  Studio<RendererTraits<Rgb565, Shaders>> studio(screen_capacity(64, 32, 1));
   const Corners over_all{Corner{-160, -160, 4000}, Corner{9000, -160, 4000}, Corner{-160, 9000, 4000}};
   const auto vertices = vertices_of(std::span(&over_all, 1), 16, 64, 32);
   const std::uint16_t white = 0xffff;

@@ -124,10 +124,9 @@ TEST(TexturesInFog, EveryAlgorithmAndBandDrawsTheSameBytes) {
     const auto pixels = fogged_wall<FoggedTextureTraits<>>(material, settings).pixels;
     using At24 = FoggedTextureTraits<Rgb565, Depth24<>>;
     EXPECT_EQ((fogged_wall<At24>(material, settings, 7).pixels), pixels);
-    EXPECT_EQ((fogged_wall<FoggedTextureTraits<Rgb565, Depth24<>, false, Spanning>>(material, settings, 16).pixels),
-              pixels);
+    EXPECT_EQ((fogged_wall<FoggedTextureTraits<Rgb565, Depth24<>, Spanning>>(material, settings, 16).pixels), pixels);
     // Statistics draw piece by piece.
-    EXPECT_EQ((fogged_wall<FoggedTextureTraits<Rgb565, Depth16<>, true>>(material, settings).pixels), pixels);
+    EXPECT_EQ((fogged_wall<FoggedTextureTraits<Rgb565, Depth16<>, Counted>>(material, settings).pixels), pixels);
   }
 }
 

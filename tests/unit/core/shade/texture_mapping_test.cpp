@@ -176,7 +176,7 @@ TEST(TextureMapping, BandsAndSpansDrawTheSameBytes) {
     if (source.chance(3)) material.shading = ShadingMode::gouraud;
     if (source.chance(5)) material.texturing.mapping = TextureMapping::affine;
     using ByBuffer = TextureTraits<Rgb565, Depth24<>>;
-    using BySpans = TextureTraits<Rgb565, Depth24<>, false, Spanning>;
+    using BySpans = TextureTraits<Rgb565, Depth24<>, Spanning>;
     const auto whole = t.draw<ByBuffer>(material);
     for (const int lines : {1, 7, 64}) EXPECT_TRUE(t.draw<ByBuffer>(material, lines) == whole) << lines;
     const auto spans = t.draw<BySpans>(material, 16);
@@ -184,7 +184,7 @@ TEST(TextureMapping, BandsAndSpansDrawTheSameBytes) {
     if (i % 3 != 0) continue;
     // Statistics draw piece by piece, and ask at no block whether anything has been drawn there.
     const auto at_16 = t.draw<TextureTraits<>>(material);
-    EXPECT_EQ((t.draw<TextureTraits<Rgb565, Depth16<>, true>>(material).pixels), at_16.pixels);
+    EXPECT_EQ((t.draw<TextureTraits<Rgb565, Depth16<>, Counted>>(material).pixels), at_16.pixels);
     ASSERT_FALSE(HasFailure()) << "round " << i;
   }
 }

@@ -138,7 +138,7 @@ TEST(TexturesStay, AffineMappingIsTheLinearFunctionOfTheScreen) {
   Material material = numbered.material();
   material.texturing.mapping = TextureMapping::affine;
   const auto picture = wall<TextureTraits<>>(material, scene::settings());
-  const auto counting = wall<TextureTraits<Rgb565, Depth16<>, true>>(material, scene::settings());
+  const auto counting = wall<TextureTraits<Rgb565, Depth16<>, Counted>>(material, scene::settings());
   EXPECT_EQ(picture.pixels, counting.pixels);  // piece by piece
   int wrong = 0;
   double worst = 0;
@@ -165,10 +165,10 @@ TEST(TexturesStay, AffineMappingIsTheLinearFunctionOfTheScreen) {
 /// Cut-out textures beside flat surfaces; with something see-through, so that `span` has layers for them.
 template <class Depth, class Visibility>
 using CutOuts = RendererTraits<
-    Depth, Rgb565,
+    Rgb565,
     ShaderList<FlatShader<Rgb565>, RepeatedTextureShader<Rgb565, TexelFormat::rgb565_cutout, NoTexelLight>,
                SeeThroughShader<Rgb565, FlatShader<Rgb565>>>,
-    false, Visibility>;
+    Depth, Visibility>;
 
 /// Three walls that cross one another, under a texture with holes, before one without.
 template <class Traits>

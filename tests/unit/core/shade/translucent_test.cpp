@@ -15,10 +15,10 @@ namespace {
 
 template <class Visibility>
 using Translucents =
-    RendererTraits<Depth24<>, Rgb565,
+    RendererTraits<Rgb565,
                    ShaderList<FlatShader<Rgb565>, SeeThroughShader<Rgb565, FlatShader<Rgb565>>, GeneralShader<Rgb565>,
                               SeeThroughShader<Rgb565, TranslucentShader<Rgb565>>>,
-                   false, Visibility>;
+                   Depth24<>, Visibility>;
 
 /// What is drawn by both kinds of algorithm, with a band height each; the same bytes.
 template <class Submit>

@@ -23,8 +23,8 @@ struct CoordinateSolid {
 
 template <class Solid, class Depth = Depth24<>, class Visibility = ZBuffer>
 using SolidTraits =
-    RendererTraits<Depth, Rgb565, ShaderList<FlatShader<Rgb565>, GouraudShader<Rgb565>, VolumeShader<Rgb565, Solid>>,
-                   false, Visibility>;
+    RendererTraits<Rgb565, ShaderList<FlatShader<Rgb565>, GouraudShader<Rgb565>, VolumeShader<Rgb565, Solid>>, Depth,
+                   Visibility>;
 
 /// One triangle that may need clipping, under full light.
 struct SolidTriangle {

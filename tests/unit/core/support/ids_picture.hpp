@@ -4,7 +4,7 @@
 
 namespace spanline::test {
 
-using Ids = IdTraits<Depth16<>, true>;
+using Ids = IdTraits<Depth16<>, Counted>;
 
 /// Room for some instances of a mesh, with much to spare for clipping.
 [[nodiscard]] inline Capacity mesh_capacity(int width, int height, std::size_t instances, std::size_t vertices,

@@ -45,7 +45,7 @@ void expect_same_bytes(Capacity capacity, Fill fill) {
       EXPECT_TRUE(got.depth == want.depth) << "depths in bands of " << lines;
     }
   };
-  compare.template operator()<FullTraits<Rgb565, Depth>>("colours");
+  compare.template operator()<GouraudTraits<Rgb565, Depth>>("colours");
   compare.template operator()<IdTraits<Depth>>("ids");
 }
 

@@ -29,7 +29,7 @@ TEST(Deferred, OwnersAreThoseOfTheZBuffer) {
       Studio<IdTraits<Depth24<>>> plain(screen_capacity(width, height, count));
       const auto want = plain.draw_screen(soup);
       for (const int lines : {0, 1, 7}) {
-        Studio<IdTraits<Depth24<>, true, Deferred<4>>> deferred(screen_capacity(width, height, count, lines));
+        Studio<IdTraits<Depth24<>, Counted, Deferred<4>>> deferred(screen_capacity(width, height, count, lines));
         const auto got = deferred.draw_screen(soup);
         ASSERT_TRUE(deferred.status().ok());
         ASSERT_EQ(got.pixels, want.pixels) << "kind " << kind << ", round " << i << ", bands of " << lines;
@@ -56,7 +56,7 @@ TEST(Deferred, SurfacesOfAllKindsAndTheirHolesAreTheSameBytes) {
     if (!random.chance(3)) material.texturing.texture = &own.texture;
     if (random.chance(2)) material.texturing.filter = TextureFilter::bilinear;
     using AtOnce = GeneralTraits<Rgb565, Depth16<>>;
-    using Later = GeneralTraits<Rgb565, Depth16<>, false, Deferred<8>>;
+    using Later = GeneralTraits<Rgb565, Depth16<>, Deferred<8>>;
     const auto want = instance_pixels<AtOnce>(instance, settings, material, 4096);
     for (const int lines : {4096, 5})
       ASSERT_EQ(instance_pixels<Later>(instance, settings, material, lines), want) << "round " << i;
@@ -64,7 +64,7 @@ TEST(Deferred, SurfacesOfAllKindsAndTheirHolesAreTheSameBytes) {
 }
 
 TEST(Deferred, PeaksCountTheItemBuffer) {
-  Studio<FlatTraits<Rgb565, Depth16<>, false, Deferred<>>> studio(screen_capacity(64, 32, 1, 8));
+  Studio<FlatTraits<Rgb565, Depth16<>, Deferred<>>> studio(screen_capacity(64, 32, 1, 8));
   const std::vector<Corners> triangle{{Corner{0, 0, 100}, {512, 0, 100}, {0, 512, 100}}};
   (void)studio.draw_screen(triangle);
   EXPECT_EQ(studio.renderer().peaks().depth_band, 64u * 8 * (sizeof(Link) + sizeof(Depth16<>::Word)));

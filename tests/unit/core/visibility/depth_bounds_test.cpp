@@ -45,7 +45,7 @@ TYPED_TEST(DepthBoundsOf, ChangeNoByte) {
         Studio<IdTraits<TypeParam>> plain(screen_capacity(width, height, count));
         const auto want = plain.draw_screen(soup);
         for (const int lines : {0, 1, 7, 16}) {
-          Studio<IdTraits<TypeParam, false, BoundedZBuffer>> bounded(screen_capacity(width, height, count, lines));
+          Studio<IdTraits<TypeParam, BoundedZBuffer>> bounded(screen_capacity(width, height, count, lines));
           const auto got = bounded.draw_screen(soup);
           ASSERT_TRUE(bounded.status().ok());
           ASSERT_EQ(got.pixels, want.pixels) << "kind " << kind << ", round " << i << ", bands of " << lines;
@@ -60,7 +60,7 @@ std::uint64_t tests_of_quads(bool back_to_front) {
   std::vector<ScreenVertex> vertices(120);
   std::vector<std::uint16_t> colours(40);
   scenes::make_full_screen_quads(back_to_front, 16, {vertices, colours});
-  Studio<FlatTraits<Rgb565, Depth16<>, true, Visibility>> studio(screen_capacity(320, 240, 40));
+  Studio<FlatTraits<Rgb565, Depth16<>, Counted, Visibility>> studio(screen_capacity(320, 240, 40));
   FrameSettings settings;
   settings.cull = Cull::none;
   studio.begin(settings);
