@@ -37,16 +37,16 @@ scenes::Gauges gauges;
 /// Hands finished bands with their text to the present loop, whose buffers are the renderer's colour bands.
 struct Sink {
   Present& present;
-  bool acquire(unsigned buffer) { return present.acquire(static_cast<int>(buffer)) == hal::Status::ok; }
+  bool acquire(unsigned buffer) { return present.acquire(static_cast<int>(buffer)) == hal::DisplayStatus::ok; }
   bool operator()(const Picture::BandView& band) {
     Canvas<Rgb565Swapped> canvas(band.pixels, Panel::width, band.y0, band.y1);
     gauges.write(canvas, spanline_fonts::sans_14);
-    return present.submit(band.y0, band.y1, static_cast<int>(band.buffer)) == hal::Status::ok;
+    return present.submit(band.y0, band.y1, static_cast<int>(band.buffer)) == hal::DisplayStatus::ok;
   }
 };
 
-hal::Status show(std::uint32_t frame, Picture& renderer, Present& present, bool last) {
-  if (const hal::Status begun = present.begin_frame(); begun != hal::Status::ok) return begun;
+hal::DisplayStatus show(std::uint32_t frame, Picture& renderer, Present& present, bool last) {
+  if (const hal::DisplayStatus begun = present.begin_frame(); begun != hal::DisplayStatus::ok) return begun;
   gauges.make(frame, Panel::width, Panel::height);
   FrameSettings settings;
   settings.cull = Cull::none;
@@ -69,9 +69,9 @@ int main() {
   for (unsigned i = 0; i < buffers.size(); ++i) buffers[i] = renderer.colour_band(i);
   static Present present(panel, clock, buffers);
   for (std::uint32_t frame = 0; frames_to_show == 0 || frame < frames_to_show; ++frame) {
-    const hal::Status status = show(frame, renderer, present, frame + 1 == frames_to_show);
+    const hal::DisplayStatus status = show(frame, renderer, present, frame + 1 == frames_to_show);
     board::frame_done();
-    if (status == hal::Status::ok) continue;
+    if (status == hal::DisplayStatus::ok) continue;
     board::write("gauges: display ");
     board::write(to_string(status));
     board::write("\n");

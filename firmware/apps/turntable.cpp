@@ -50,7 +50,7 @@ void report(const Turntable::Result& result) {
 template <class Bus>
 void report_clock(const Bus& bus) {
   if constexpr (requires { bus.clock_status(); }) {
-    if (bus.clock_status() == hal::Status::ok) return;
+    if (bus.clock_status() == hal::DisplayStatus::ok) return;
     board::write("turntable: display ");
     board::write(to_string(bus.clock_status()));
     board::write(", ");

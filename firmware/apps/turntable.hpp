@@ -34,9 +34,9 @@ class Turntable {
 
   /// How one frame went: what the display and the renderer had to say.
   struct Result {
-    hal::Status display = hal::Status::ok;
+    hal::DisplayStatus display = hal::DisplayStatus::ok;
     Status drawing{};
-    [[nodiscard]] constexpr bool ok() const { return display == hal::Status::ok && drawing.ok(); }
+    [[nodiscard]] constexpr bool ok() const { return display == hal::DisplayStatus::ok && drawing.ok(); }
   };
 
   /// What the picture of a mesh takes: `polygons` that face the eye at most, `active` of them across a band's edge.
@@ -88,12 +88,12 @@ class Turntable {
   Result show(std::uint32_t number, End end) {
     Result result;
     result.display = present_.begin_frame();
-    if (result.display != hal::Status::ok) return result;
+    if (result.display != hal::DisplayStatus::ok) return result;
     result.drawing = submit(number);
     const Status drawn = renderer_.draw(Sink{present_, filler_});
     result.display = end(present_);
     // Where a sink fails and the display has nothing to say, it was the filler.
-    const bool display_failed = drawn.fault == Fault::sink_failed && result.display != hal::Status::ok;
+    const bool display_failed = drawn.fault == Fault::sink_failed && result.display != hal::DisplayStatus::ok;
     if (result.drawing.ok() && !display_failed) result.drawing = drawn;
     return result;
   }
@@ -102,14 +102,14 @@ class Turntable {
   struct Sink {
     Present& present;
     [[maybe_unused]] FillerType& filler;
-    bool acquire(unsigned buffer) { return present.acquire(static_cast<int>(buffer)) == hal::Status::ok; }
+    bool acquire(unsigned buffer) { return present.acquire(static_cast<int>(buffer)) == hal::DisplayStatus::ok; }
     bool available(unsigned buffer) { return present.available(static_cast<int>(buffer)); }
     void fill(std::uint16_t value, std::uint32_t count, std::uint16_t* words) requires hal::Filler<FillerType> {
       filler.fill(value, count, words);
     }
     bool filled() requires hal::Filler<FillerType> { return filler.filled(); }
     bool operator()(const typename Picture::BandView& band) {
-      return present.submit(band.y0, band.y1, static_cast<int>(band.buffer)) == hal::Status::ok;
+      return present.submit(band.y0, band.y1, static_cast<int>(band.buffer)) == hal::DisplayStatus::ok;
     }
   };
 

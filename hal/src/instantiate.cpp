@@ -8,8 +8,8 @@
 namespace spanline::hal::check {
 
 struct NullBus {
-  Status command(std::span<const std::uint8_t>) { return Status::ok; }
-  Status pixels(std::span<const std::uint8_t>) { return Status::ok; }
+  DisplayStatus command(std::span<const std::uint8_t>) { return DisplayStatus::ok; }
+  DisplayStatus pixels(std::span<const std::uint8_t>) { return DisplayStatus::ok; }
   bool busy() { return false; }
   void reset(bool) {}
   std::uint32_t clock_hz() { return 1'000'000; }
@@ -26,7 +26,7 @@ struct NullCounter {
 
 /// A bus with a line back, which init() uses.
 struct NullReadableBus : NullBus {
-  Status read(std::uint8_t, std::span<std::uint8_t>) { return Status::ok; }
+  DisplayStatus read(std::uint8_t, std::span<std::uint8_t>) { return DisplayStatus::ok; }
 };
 
 using Portrait = Ili9341<NullReadableBus, NullClock, MipiOptions{.orientation = Orientation::portrait}>;

@@ -15,15 +15,15 @@ class LateBus {
  public:
   LateBus(SimClock& clock, std::uint32_t transfer_us) : clock_(clock), transfer_us_(transfer_us) {}
 
-  hal::Status command(std::span<const std::uint8_t>) {
+  hal::DisplayStatus command(std::span<const std::uint8_t>) {
     if (busy()) ++misuses_;
-    return hal::Status::ok;
+    return hal::DisplayStatus::ok;
   }
-  hal::Status pixels(std::span<const std::uint8_t>) {
+  hal::DisplayStatus pixels(std::span<const std::uint8_t>) {
     if (busy()) ++misuses_;
     ++transfers_;
     done_ns_ = clock_.now_ns() + std::uint64_t{transfer_us_} * 1000;
-    return hal::Status::ok;
+    return hal::DisplayStatus::ok;
   }
   [[nodiscard]] bool busy() const { return clock_.now_ns() < done_ns_; }
   void reset(bool held) {
@@ -63,15 +63,15 @@ class StuckBus {
   }
   void recover() { stuck_ = false; }
 
-  hal::Status command(std::span<const std::uint8_t> bytes) {
-    return stuck_ ? hal::Status::bus_timeout : inner_.command(bytes);
+  hal::DisplayStatus command(std::span<const std::uint8_t> bytes) {
+    return stuck_ ? hal::DisplayStatus::bus_timeout : inner_.command(bytes);
   }
-  hal::Status read(std::uint8_t command, std::span<std::uint8_t> answer) {
-    return stuck_ ? hal::Status::bus_timeout : inner_.read(command, answer);
+  hal::DisplayStatus read(std::uint8_t command, std::span<std::uint8_t> answer) {
+    return stuck_ ? hal::DisplayStatus::bus_timeout : inner_.read(command, answer);
   }
-  hal::Status pixels(std::span<const std::uint8_t> bytes) {
+  hal::DisplayStatus pixels(std::span<const std::uint8_t> bytes) {
     if (remaining_ > 0 && --remaining_ == 0) stuck_ = true;
-    return stuck_ ? hal::Status::ok : inner_.pixels(bytes);
+    return stuck_ ? hal::DisplayStatus::ok : inner_.pixels(bytes);
   }
   bool busy() { return stuck_ || inner_.busy(); }
   void reset(bool held) { inner_.reset(held); }
@@ -90,16 +90,16 @@ class QueueBus {
 
   QueueBus(SimClock& clock, std::uint32_t transfer_us) : clock_(clock), transfer_us_(transfer_us) {}
 
-  hal::Status command(std::span<const std::uint8_t>) {
+  hal::DisplayStatus command(std::span<const std::uint8_t>) {
     if (busy()) ++misuses_;
     ++commands_;
-    return hal::Status::ok;
+    return hal::DisplayStatus::ok;
   }
-  hal::Status pixels(std::span<const std::uint8_t>) {
-    if (!takes_pixels()) return hal::Status::bus_busy;
+  hal::DisplayStatus pixels(std::span<const std::uint8_t>) {
+    if (!takes_pixels()) return hal::DisplayStatus::bus_busy;
     ++transfers_;
     done_ns_ = std::max(done_ns_, clock_.now_ns()) + transfer_ns();
-    return hal::Status::ok;
+    return hal::DisplayStatus::ok;
   }
   [[nodiscard]] bool busy() const { return clock_.now_ns() < done_ns_; }
   [[nodiscard]] bool takes_pixels() const { return transfers_left() < size; }
@@ -135,15 +135,17 @@ class PluggedBus {
 
   void plug(bool in) { plugged_ = in; }
 
-  hal::Status command(std::span<const std::uint8_t> bytes) {
-    return plugged_ ? inner_.command(bytes) : hal::Status::ok;
+  hal::DisplayStatus command(std::span<const std::uint8_t> bytes) {
+    return plugged_ ? inner_.command(bytes) : hal::DisplayStatus::ok;
   }
-  hal::Status read(std::uint8_t command, std::span<std::uint8_t> answer) {
+  hal::DisplayStatus read(std::uint8_t command, std::span<std::uint8_t> answer) {
     if (plugged_) return inner_.read(command, answer);
     std::fill(answer.begin(), answer.end(), std::uint8_t{0xFF});
-    return hal::Status::ok;
+    return hal::DisplayStatus::ok;
   }
-  hal::Status pixels(std::span<const std::uint8_t> bytes) { return plugged_ ? inner_.pixels(bytes) : hal::Status::ok; }
+  hal::DisplayStatus pixels(std::span<const std::uint8_t> bytes) {
+    return plugged_ ? inner_.pixels(bytes) : hal::DisplayStatus::ok;
+  }
   bool busy() { return plugged_ && inner_.busy(); }
   void reset(bool held) {
     if (plugged_) inner_.reset(held);

@@ -21,30 +21,30 @@ class HostBus {
     model_.set_clock(clock_hz, clock_.now_ns());
   }
 
-  hal::Status command(std::span<const std::uint8_t> bytes) {
+  hal::DisplayStatus command(std::span<const std::uint8_t> bytes) {
     refuse_while_busy("command");
     for (std::size_t i = 0; i < bytes.size(); ++i) {
       clock_.advance_ns(transfer_ns(1));
       model_.byte(i != 0, bytes[i], clock_.now_ns());
     }
-    return hal::Status::ok;
+    return hal::DisplayStatus::ok;
   }
 
   /// At 1 MHz. A panel that does not answer leaves the line high.
-  hal::Status read(std::uint8_t command, std::span<std::uint8_t> answer) {
+  hal::DisplayStatus read(std::uint8_t command, std::span<std::uint8_t> answer) {
     refuse_while_busy("read");
     clock_.advance_ns(8'000 * (1 + answer.size()));
     const std::vector<std::uint8_t> said = model_.read(command, clock_.now_ns());
     for (std::size_t i = 0; i < answer.size(); ++i) answer[i] = i < said.size() ? said[i] : 0xFF;
-    return hal::Status::ok;
+    return hal::DisplayStatus::ok;
   }
 
-  hal::Status pixels(std::span<const std::uint8_t> bytes) {
+  hal::DisplayStatus pixels(std::span<const std::uint8_t> bytes) {
     refuse_while_busy("pixels");
     in_flight_ = bytes;
     at_start_.assign(bytes.begin(), bytes.end());
     done_ns_ = clock_.now_ns() + transfer_ns(bytes.size());
-    return hal::Status::ok;
+    return hal::DisplayStatus::ok;
   }
 
   bool busy() {

@@ -49,24 +49,24 @@ class Session : public PanelSession {
 
   [[nodiscard]] const PanelInfo& info() const override { return info_; }
 
-  hal::Status show(int band_height, const DrawBand& draw) override {
+  hal::DisplayStatus show(int band_height, const DrawBand& draw) override {
     const int rows = std::clamp(band_height, 1, Driver::height);
-    hal::Status status = present_.begin_frame();
-    for (int y0 = 0, index = 0; status == hal::Status::ok && y0 < Driver::height; y0 += rows, index ^= 1) {
+    hal::DisplayStatus status = present_.begin_frame();
+    for (int y0 = 0, index = 0; status == hal::DisplayStatus::ok && y0 < Driver::height; y0 += rows, index ^= 1) {
       const int y1 = std::min(y0 + rows, Driver::height);
       status = present_.acquire(index);
-      if (status != hal::Status::ok) break;
+      if (status != hal::DisplayStatus::ok) break;
       const auto band = present_.buffer(index).first(static_cast<std::size_t>(y1 - y0) * Driver::width);
       draw(y0, y1, band);
       if (drawn_order_ != Driver::pixel_order) turn_round(band);
       status = present_.submit(y0, y1, index);
     }
-    const hal::Status ended = present_.end_frame();
-    if (ended == hal::Status::ok) model_.end_of_stream();
-    return status == hal::Status::ok ? ended : status;
+    const hal::DisplayStatus ended = present_.end_frame();
+    if (ended == hal::DisplayStatus::ok) model_.end_of_stream();
+    return status == hal::DisplayStatus::ok ? ended : status;
   }
 
-  hal::Status sleep(bool asleep) override { return driver_.sleep(asleep); }
+  hal::DisplayStatus sleep(bool asleep) override { return driver_.sleep(asleep); }
   [[nodiscard]] PanelPicture picture() const override { return model_.picture(); }
   [[nodiscard]] const std::vector<Complaint>& complaints() const override { return model_.complaints(); }
   [[nodiscard]] const hal::PresentStatistics& statistics() const override { return present_.statistics(); }

@@ -8,10 +8,10 @@
 
 #include "panels/complaint.hpp"
 #include "panels/panel_model.hpp"
+#include "spanline/hal/display_status.hpp"
 #include "spanline/hal/panel.hpp"
 #include "spanline/hal/pixel_order.hpp"
 #include "spanline/hal/present.hpp"
-#include "spanline/hal/status.hpp"
 
 namespace spanline::sim {
 
@@ -49,9 +49,9 @@ class PanelSession {
 
   /// Draws and sends one frame in bands of `band_height` rows (1 .. height, limited to that; the last band may be
   /// lower). The first frame initialises the panel.
-  virtual hal::Status show(int band_height, const DrawBand& draw) = 0;
+  virtual hal::DisplayStatus show(int band_height, const DrawBand& draw) = 0;
 
-  virtual hal::Status sleep(bool asleep) = 0;
+  virtual hal::DisplayStatus sleep(bool asleep) = 0;
 
   /// What the viewer sees after the last frame.
   [[nodiscard]] virtual PanelPicture picture() const = 0;

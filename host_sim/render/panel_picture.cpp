@@ -13,12 +13,12 @@ Picture DeskPanel::show(const std::vector<std::uint16_t>& pixels, int band_lines
   const PanelInfo& info = session_->info();
   const std::string name(info.name);
   const auto width = static_cast<std::ptrdiff_t>(info.width);
-  const hal::Status status = session_->show(band_lines, [&](int y0, int y1, std::span<std::uint16_t> band) {
+  const hal::DisplayStatus status = session_->show(band_lines, [&](int y0, int y1, std::span<std::uint16_t> band) {
     std::copy(pixels.begin() + y0 * width, pixels.begin() + y1 * width, band.begin());
   });
   for (const Complaint& complaint : session_->complaints())
     if (severity(complaint.kind) == Severity::failure) throw Failure("panel " + name + ": " + describe(complaint));
-  if (status != hal::Status::ok) throw Failure("panel " + name + ": " + hal::to_string(status));
+  if (status != hal::DisplayStatus::ok) throw Failure("panel " + name + ": " + hal::to_string(status));
   const PanelPicture seen = session_->picture();
   Picture picture(seen.width, seen.height);
   static_assert(sizeof(Rgb888) == 3);

@@ -86,10 +86,10 @@ sim::PanelPicture show(const std::string& panel, const std::string& model, Shadi
   const Mesh& mesh = model == "teapot" ? spanline_models::teapot : spanline_models::bunny;
   const std::vector<std::uint16_t> pixels = model == "gauges" ? draw_gauges(number, info.width, info.height)
                                                               : draw(mesh, shading, number, info.width, info.height);
-  const hal::Status status = session->show(info.height, [&](int, int, std::span<std::uint16_t> band) {
+  const hal::DisplayStatus status = session->show(info.height, [&](int, int, std::span<std::uint16_t> band) {
     std::copy(pixels.begin(), pixels.end(), band.begin());
   });
-  if (status != hal::Status::ok) throw std::runtime_error(panel + ": " + to_string(status));
+  if (status != hal::DisplayStatus::ok) throw std::runtime_error(panel + ": " + to_string(status));
   if (!session->complaints().empty()) throw std::runtime_error(panel + ": " + describe(session->complaints().front()));
   return session->picture();
 }

@@ -55,7 +55,7 @@ TYPED_TEST(Turntable, EveryFrameOfATurnFitsThePoolsAndReachesThePanel) {
   Bench<TypeParam> bench;
   for (std::uint32_t frame = 0; frame < Bench<TypeParam>::App::frames_a_turn; ++frame) {
     const auto result = bench.app.show(frame);
-    EXPECT_EQ(result.display, hal::Status::ok) << "frame " << frame;
+    EXPECT_EQ(result.display, hal::DisplayStatus::ok) << "frame " << frame;
     EXPECT_EQ(result.drawing.fault, Fault::none)
         << "frame " << frame << ": " << to_string(result.drawing.pool) << ", wanted " << result.drawing.wanted;
   }
@@ -78,8 +78,8 @@ TYPED_TEST(Turntable, ABusThatSticksCostsAFrameAndTheNextOneInitialisesThePanelA
   Bench<TypeParam> good, bench;
   EXPECT_TRUE(bench.app.show(0).ok());
   bench.bus.stick_at(3);
-  EXPECT_EQ(bench.app.show(1).display, hal::Status::bus_timeout);
-  EXPECT_EQ(bench.app.show(2).display, hal::Status::bus_timeout) << "still stuck";
+  EXPECT_EQ(bench.app.show(1).display, hal::DisplayStatus::bus_timeout);
+  EXPECT_EQ(bench.app.show(2).display, hal::DisplayStatus::bus_timeout) << "still stuck";
   bench.bus.recover();
   EXPECT_TRUE(bench.app.show(3).ok());
   EXPECT_EQ(bench.app.statistics().initialisations, 2U);
@@ -96,7 +96,7 @@ TYPED_TEST(Turntable, APoolThatIsTooSmallIsNamedAndWhatFitsIsShown) {
   typename Bench<TypeParam>::App app(bench.panel, bench.clock, spanline_models::bunny, tight,
                                      std::as_writable_bytes(std::span(memory)));
   const auto result = app.show(0);
-  EXPECT_EQ(result.display, hal::Status::ok);
+  EXPECT_EQ(result.display, hal::DisplayStatus::ok);
   EXPECT_EQ(result.drawing.fault, Fault::pool_full);
   EXPECT_EQ(result.drawing.pool, Pool::polygons);
   EXPECT_GT(result.drawing.wanted, 300U);

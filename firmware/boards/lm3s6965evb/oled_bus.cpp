@@ -112,24 +112,24 @@ OledBus::OledBus() {
   io(interrupt_set_enable) = interrupt_ssi0;
 }
 
-hal::Status OledBus::command(std::span<const std::uint8_t> bytes) {
-  if (bytes.empty()) return hal::Status::ok;
+hal::DisplayStatus OledBus::command(std::span<const std::uint8_t> bytes) {
+  if (bytes.empty()) return hal::DisplayStatus::ok;
   drain_receiver();
   set_data_mode(false);
-  if (!send(bytes.first(1))) return hal::Status::bus_timeout;
-  if (bytes.size() == 1) return hal::Status::ok;
+  if (!send(bytes.first(1))) return hal::DisplayStatus::bus_timeout;
+  if (bytes.size() == 1) return hal::DisplayStatus::ok;
   set_data_mode(true);
-  return send(bytes.subspan(1)) ? hal::Status::ok : hal::Status::bus_timeout;
+  return send(bytes.subspan(1)) ? hal::DisplayStatus::ok : hal::DisplayStatus::bus_timeout;
 }
 
-hal::Status OledBus::pixels(std::span<const std::uint8_t> bytes) {
-  if (bytes.empty()) return hal::Status::ok;
+hal::DisplayStatus OledBus::pixels(std::span<const std::uint8_t> bytes) {
+  if (bytes.empty()) return hal::DisplayStatus::ok;
   drain_receiver();
   set_data_mode(true);
   next_byte = bytes.data();
   bytes_left = static_cast<std::uint32_t>(bytes.size());
   io(ssi_interrupt_mask) = mask_transmit_half_empty;
-  return hal::Status::ok;
+  return hal::DisplayStatus::ok;
 }
 
 bool OledBus::busy() const { return bytes_left != 0 || (io(ssi_status) & status_busy) != 0; }

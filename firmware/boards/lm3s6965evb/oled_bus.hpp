@@ -16,8 +16,8 @@ class OledBus {
   /// Sets up pins, peripheral and interrupt. At most one object at a time.
   OledBus();
 
-  hal::Status command(std::span<const std::uint8_t> bytes);
-  hal::Status pixels(std::span<const std::uint8_t> bytes);
+  hal::DisplayStatus command(std::span<const std::uint8_t> bytes);
+  hal::DisplayStatus pixels(std::span<const std::uint8_t> bytes);
   bool busy() const;
 
   /// The board has no reset line to the panel: `held` abandons the transfer in flight.

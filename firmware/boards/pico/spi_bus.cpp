@@ -146,29 +146,29 @@ void SpiBus::set_up() const {
   set_up_dma();
 }
 
-hal::Status SpiBus::command(std::span<const std::uint8_t> bytes) {
-  if (bytes.empty()) return hal::Status::ok;
+hal::DisplayStatus SpiBus::command(std::span<const std::uint8_t> bytes) {
+  if (bytes.empty()) return hal::DisplayStatus::ok;
   set_level(pin::chip_select, false);
   set_level(pin::data_command, false);
-  if (!send(bytes.first(1))) return hal::Status::bus_timeout;
+  if (!send(bytes.first(1))) return hal::DisplayStatus::bus_timeout;
   set_level(pin::data_command, true);
   const bool sent = send(bytes.subspan(1));
   drain_receiver();
-  return sent ? hal::Status::ok : hal::Status::bus_timeout;
+  return sent ? hal::DisplayStatus::ok : hal::DisplayStatus::bus_timeout;
 }
 
-[[gnu::section(".time_critical.pixels")]] hal::Status SpiBus::pixels(std::span<const std::uint8_t> bytes) {
-  if (bytes.empty()) return hal::Status::ok;
+[[gnu::section(".time_critical.pixels")]] hal::DisplayStatus SpiBus::pixels(std::span<const std::uint8_t> bytes) {
+  if (bytes.empty()) return hal::DisplayStatus::ok;
   io(sio::out_clear) = bit(pin::chip_select);
   io(sio::out_set) = bit(pin::data_command);
   const Masked masked;
   const std::uint32_t added = queue.added;
-  if (added - queue.started == Queue::size) return hal::Status::bus_busy;
+  if (added - queue.started == Queue::size) return hal::DisplayStatus::bus_busy;
   Queue::Band& band = queue.bands[added % Queue::size];
   band = {bytes.data(), static_cast<std::uint32_t>(bytes.size())};
   queue.added = added + 1;
   if (queue.started == added) start_transfer(band);
-  return hal::Status::ok;
+  return hal::DisplayStatus::ok;
 }
 
 bool SpiBus::busy() const { return transfers_left() != 0 || (io(spi_status) & status_busy) != 0; }
@@ -188,9 +188,9 @@ void SpiBus::reset(bool held) {
   set_level(pin::reset, !held);
 }
 
-hal::Status SpiBus::read_bytes(std::uint8_t command, std::span<std::uint8_t> answer) {
+hal::DisplayStatus SpiBus::read_bytes(std::uint8_t command, std::span<std::uint8_t> answer) {
   constexpr std::uint32_t read_hz = 5'000'000;
-  if (!wait_until(status_busy, 0)) return hal::Status::bus_timeout;
+  if (!wait_until(status_busy, 0)) return hal::DisplayStatus::bus_timeout;
   drain_receiver();
   io(spi_prescale) = Divider::at_most(read_hz).prescaler;
   set_level(pin::chip_select, false);
@@ -205,7 +205,7 @@ hal::Status SpiBus::read_bytes(std::uint8_t command, std::span<std::uint8_t> ans
   }
   set_level(pin::chip_select, true);
   io(spi_prescale) = Divider::at_most(asked_hz_).prescaler;
-  return good ? hal::Status::ok : hal::Status::bus_timeout;
+  return good ? hal::DisplayStatus::ok : hal::DisplayStatus::bus_timeout;
 }
 
 ReadableSpiBus::ReadableSpiBus(std::uint32_t asked_hz) : SpiBus(asked_hz) {

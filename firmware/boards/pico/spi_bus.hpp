@@ -25,8 +25,8 @@ class SpiBus {
   /// `asked_hz`. At most one object at a time.
   explicit SpiBus(std::uint32_t asked_hz);
 
-  hal::Status command(std::span<const std::uint8_t> bytes);
-  hal::Status pixels(std::span<const std::uint8_t> bytes);
+  hal::DisplayStatus command(std::span<const std::uint8_t> bytes);
+  hal::DisplayStatus pixels(std::span<const std::uint8_t> bytes);
   bool busy() const;
   void reset(bool held);
   std::uint32_t clock_hz() const { return clock_hz_; }
@@ -36,10 +36,12 @@ class SpiBus {
   std::uint32_t transfers_left() const;
 
   /// bus_clock_too_low if the divider gave less than was asked for.
-  hal::Status clock_status() const { return clock_hz_ < asked_hz_ ? hal::Status::bus_clock_too_low : hal::Status::ok; }
+  hal::DisplayStatus clock_status() const {
+    return clock_hz_ < asked_hz_ ? hal::DisplayStatus::bus_clock_too_low : hal::DisplayStatus::ok;
+  }
 
  protected:
-  hal::Status read_bytes(std::uint8_t command, std::span<std::uint8_t> answer);
+  hal::DisplayStatus read_bytes(std::uint8_t command, std::span<std::uint8_t> answer);
 
  private:
   void set_up() const;
@@ -51,7 +53,7 @@ class SpiBus {
 class ReadableSpiBus : public SpiBus {
  public:
   explicit ReadableSpiBus(std::uint32_t asked_hz);
-  hal::Status read(std::uint8_t command, std::span<std::uint8_t> answer) { return read_bytes(command, answer); }
+  hal::DisplayStatus read(std::uint8_t command, std::span<std::uint8_t> answer) { return read_bytes(command, answer); }
 };
 
 }  // namespace spanline::board

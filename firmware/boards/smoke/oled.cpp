@@ -27,15 +27,15 @@ void draw(int row, std::span<std::uint16_t> band) {
   }
 }
 
-hal::Status show(hal::Present<Panel, board::SystemClock>& present) {
-  hal::Status status = present.begin_frame();
-  for (int row = 0, index = 0; status == hal::Status::ok && row < Panel::height; row += band_rows, index ^= 1) {
+hal::DisplayStatus show(hal::Present<Panel, board::SystemClock>& present) {
+  hal::DisplayStatus status = present.begin_frame();
+  for (int row = 0, index = 0; status == hal::DisplayStatus::ok && row < Panel::height; row += band_rows, index ^= 1) {
     status = present.acquire(index);
-    if (status != hal::Status::ok) break;
+    if (status != hal::DisplayStatus::ok) break;
     draw(row, present.buffer(index));
     status = present.submit(row, row + band_rows, index);
   }
-  return status == hal::Status::ok ? present.end_frame() : status;
+  return status == hal::DisplayStatus::ok ? present.end_frame() : status;
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ int main() {
   }
   Panel panel(bus, clock);
   hal::Present<Panel, board::SystemClock> present(panel, clock, first_band, second_band);
-  const hal::Status status = show(present);
-  board::write(status == hal::Status::ok ? "picture complete\n" : hal::to_string(status));
+  const hal::DisplayStatus status = show(present);
+  board::write(status == hal::DisplayStatus::ok ? "picture complete\n" : hal::to_string(status));
   for (;;) asm volatile("wfi");
 }

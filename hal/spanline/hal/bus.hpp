@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "spanline/hal/status.hpp"
+#include "spanline/hal/display_status.hpp"
 
 namespace spanline::hal {
 
@@ -21,8 +21,8 @@ namespace spanline::hal {
 /// - `clock_hz()`: the serial clock that the divider really gave, in hertz, for the panel's clock rating.
 template <typename B>
 concept Bus = requires(B& bus, std::span<const std::uint8_t> bytes, bool held) {
-  { bus.command(bytes) } -> std::same_as<Status>;
-  { bus.pixels(bytes) } -> std::same_as<Status>;
+  { bus.command(bytes) } -> std::same_as<DisplayStatus>;
+  { bus.pixels(bytes) } -> std::same_as<DisplayStatus>;
   { bus.busy() } -> std::same_as<bool>;
   { bus.reset(held) } -> std::same_as<void>;
   { bus.clock_hz() } -> std::same_as<std::uint32_t>;
@@ -35,7 +35,7 @@ concept Bus = requires(B& bus, std::span<const std::uint8_t> bytes, bool held) {
 ///   included, at a clock that panels can be read at (5 MHz at most). Called only while not busy.
 template <typename B>
 concept ReadableBus = Bus<B> && requires(B& bus, std::uint8_t command, std::span<std::uint8_t> answer) {
-  { bus.read(command, answer) } -> std::same_as<Status>;
+  { bus.read(command, answer) } -> std::same_as<DisplayStatus>;
 };
 
 /// A bus whose pixels() calls queue: each starts by itself when those before it have left, in order.

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "spanline/hal/status.hpp"
+#include "spanline/hal/display_status.hpp"
 
 namespace spanline::hal {
 
@@ -17,15 +17,15 @@ struct CommandStep {
 /// afterwards in milliseconds (0 .. 255), then the n bytes. Calls `visit(CommandStep)` for each; stops at the first
 /// status that is not ok, and returns it.
 template <typename Visitor>
-constexpr Status for_each_step(std::span<const std::uint8_t> table, Visitor&& visit) {
+constexpr DisplayStatus for_each_step(std::span<const std::uint8_t> table, Visitor&& visit) {
   std::size_t at = 0;
   while (at < table.size()) {
     const std::size_t length = table[at];
-    const Status status = visit(CommandStep{table.subspan(at + 2, length), table[at + 1]});
-    if (status != Status::ok) return status;
+    const DisplayStatus status = visit(CommandStep{table.subspan(at + 2, length), table[at + 1]});
+    if (status != DisplayStatus::ok) return status;
     at += 2 + length;
   }
-  return Status::ok;
+  return DisplayStatus::ok;
 }
 
 /// Whether the records of a table fill it exactly and none is empty; for static_assert beside the table.

@@ -4,8 +4,8 @@
 #include <span>
 
 #include "spanline/hal/clock_rating.hpp"
+#include "spanline/hal/display_status.hpp"
 #include "spanline/hal/pixel_order.hpp"
-#include "spanline/hal/status.hpp"
 
 namespace spanline::hal {
 
@@ -46,11 +46,11 @@ concept Panel = requires(P& panel, const Window& rectangle, int row, std::span<s
   { P::height } -> std::convertible_to<int>;
   { P::pixel_order } -> std::convertible_to<PixelOrder>;
   { P::clock_rating } -> std::convertible_to<ClockRating>;
-  { panel.init() } -> std::same_as<Status>;
-  { panel.window(rectangle) } -> std::same_as<Status>;
-  { panel.write(row, row, pixels) } -> std::same_as<Status>;
+  { panel.init() } -> std::same_as<DisplayStatus>;
+  { panel.window(rectangle) } -> std::same_as<DisplayStatus>;
+  { panel.write(row, row, pixels) } -> std::same_as<DisplayStatus>;
   { panel.busy() } -> std::same_as<bool>;
-  { panel.sleep(asleep) } -> std::same_as<Status>;
+  { panel.sleep(asleep) } -> std::same_as<DisplayStatus>;
 };
 
 }  // namespace spanline::hal

@@ -5,8 +5,8 @@
 #include <span>
 
 #include "spanline/hal/clock.hpp"
+#include "spanline/hal/display_status.hpp"
 #include "spanline/hal/panel.hpp"
-#include "spanline/hal/status.hpp"
 
 namespace spanline::hal {
 
@@ -24,10 +24,10 @@ struct PresentStatistics {
 /// queues, more of them let drawing run ahead where it is quick, for the rows where it is slow and for the next frame's
 /// geometry.
 ///
-///     Status status = present.begin_frame();
-///     for (int y = 0, index = 0; status == Status::ok && y < height; y += band, index ^= 1) {
+///     DisplayStatus status = present.begin_frame();
+///     for (int y = 0, index = 0; status == DisplayStatus::ok && y < height; y += band, index ^= 1) {
 ///       status = present.acquire(index);
-///       if (status != Status::ok) break;
+///       if (status != DisplayStatus::ok) break;
 ///       draw(y, present.buffer(index));  // while the other buffer leaves
 ///       status = present.submit(y, y + band, index);
 ///     }
@@ -60,12 +60,12 @@ class Present {
 
   /// Starts a frame; initialises the panel for the first one and after a bus timeout. `out_of_order` if a frame is
   /// under way that has not failed; else what Panel::init returned. After a failure there is no frame.
-  Status begin_frame() {
-    if (in_frame_ && failure_ == Status::ok) return Status::out_of_order;
+  DisplayStatus begin_frame() {
+    if (in_frame_ && failure_ == DisplayStatus::ok) return DisplayStatus::out_of_order;
     if (in_frame_) count_end();
     if (needs_init_) {
       failure_ = panel_.init();
-      if (failure_ != Status::ok) {
+      if (failure_ != DisplayStatus::ok) {
         ++statistics_.frames_given_up;
         return failure_;
       }
@@ -74,28 +74,29 @@ class Present {
       ++statistics_.initialisations;
     }
     in_frame_ = true;
-    failure_ = Status::ok;
+    failure_ = DisplayStatus::ok;
     wait_us_ = 0;
     start_us_ = clock_.now_us();
-    return Status::ok;
+    return DisplayStatus::ok;
   }
 
   /// Whether acquire() would return at once.
   [[nodiscard]] bool available(int index) {
-    if (check(index) != Status::ok) return true;
+    if (check(index) != DisplayStatus::ok) return true;
     const Buffer& buffer = buffers_[static_cast<std::size_t>(index)];
     return buffer.number == 0 || is_free(buffer);
   }
 
   /// Waits until a buffer, counted from 0, may be drawn into. Does not wait for others that are in flight.
-  Status acquire(int index) {
-    if (const Status status = check(index); status != Status::ok) return status;
+  DisplayStatus acquire(int index) {
+    if (const DisplayStatus status = check(index); status != DisplayStatus::ok) return status;
     Buffer& buffer = buffers_[static_cast<std::size_t>(index)];
     if (buffer.number != 0) {
-      if (const Status status = wait_until([&] { return is_free(buffer); }); status != Status::ok) return status;
+      if (const DisplayStatus status = wait_until([&] { return is_free(buffer); }); status != DisplayStatus::ok)
+        return status;
     }
     buffer.number = 0;
-    return Status::ok;
+    return DisplayStatus::ok;
   }
 
   /// The memory of a buffer, whose words lie in the panel's pixel order; empty where there is no such buffer. Drawn
@@ -108,36 +109,36 @@ class Present {
   /// Hands over rows y0 .. y1 − 1, full width, from the start of an acquired buffer; waits until the panel takes them,
   /// which without a queue is when the previous band has left. The buffer's words mean nothing afterwards.
   /// `window_out_of_range`, `buffer_too_small` and `out_of_order` leave the frame alive; everything else gives it up.
-  Status submit(int y0, int y1, int index) {
-    if (const Status status = check(index); status != Status::ok) return status;
-    if (buffers_[static_cast<std::size_t>(index)].number != 0) return Status::out_of_order;
+  DisplayStatus submit(int y0, int y1, int index) {
+    if (const DisplayStatus status = check(index); status != DisplayStatus::ok) return status;
+    if (buffers_[static_cast<std::size_t>(index)].number != 0) return DisplayStatus::out_of_order;
     if (!Window{0, y0, PanelType::width, y1}.fits(PanelType::width, PanelType::height)) {
-      return Status::window_out_of_range;
+      return DisplayStatus::window_out_of_range;
     }
     const std::size_t count = static_cast<std::size_t>(y1 - y0) * PanelType::width;
-    if (buffer(index).size() < count) return Status::buffer_too_small;
-    if (const Status status = wait_until([&] { return takes(y0); }); status != Status::ok) return status;
-    if (const Status status = panel_.write(y0, y1, buffer(index).first(count)); status != Status::ok) {
+    if (buffer(index).size() < count) return DisplayStatus::buffer_too_small;
+    if (const DisplayStatus status = wait_until([&] { return takes(y0); }); status != DisplayStatus::ok) return status;
+    if (const DisplayStatus status = panel_.write(y0, y1, buffer(index).first(count)); status != DisplayStatus::ok) {
       return give_up(status);
     }
     if (++submitted_ == 0) ++submitted_;  // 0 says that a buffer is not in flight
     buffers_[static_cast<std::size_t>(index)].number = submitted_;
     ++statistics_.bands;
-    return Status::ok;
+    return DisplayStatus::ok;
   }
 
   /// Waits for the last band and ends the frame. Returns the frame's first failure, or ok.
-  Status end_frame() {
-    if (!in_frame_) return failure_ == Status::ok ? Status::out_of_order : failure_;
+  DisplayStatus end_frame() {
+    if (!in_frame_) return failure_ == DisplayStatus::ok ? DisplayStatus::out_of_order : failure_;
     // A failure is in failure_.
-    if (failure_ == Status::ok) static_cast<void>(wait_until([&] { return !panel_.busy(); }));
+    if (failure_ == DisplayStatus::ok) static_cast<void>(wait_until([&] { return !panel_.busy(); }));
     count_end();
     return failure_;
   }
 
   /// The same without waiting: the last bands leave while the next frame begins, and what becomes of them shows there.
-  Status end_frame_early() {
-    if (!in_frame_) return failure_ == Status::ok ? Status::out_of_order : failure_;
+  DisplayStatus end_frame_early() {
+    if (!in_frame_) return failure_ == DisplayStatus::ok ? DisplayStatus::out_of_order : failure_;
     count_end();
     return failure_;
   }
@@ -150,10 +151,10 @@ class Present {
     std::uint32_t number = 0;  ///< of its band among all that were submitted, while the bus may own it; otherwise 0
   };
 
-  [[nodiscard]] Status check(int index) const {
-    if (failure_ != Status::ok) return failure_;
-    if (!in_frame_) return Status::out_of_order;
-    return index >= 0 && index < buffer_count_ ? Status::ok : Status::out_of_order;
+  [[nodiscard]] DisplayStatus check(int index) const {
+    if (failure_ != DisplayStatus::ok) return failure_;
+    if (!in_frame_) return DisplayStatus::out_of_order;
+    return index >= 0 && index < buffer_count_ ? DisplayStatus::ok : DisplayStatus::out_of_order;
   }
 
   /// Whether a buffer that was submitted has left.
@@ -175,8 +176,8 @@ class Present {
   }
 
   template <typename Condition>
-  Status wait_until(Condition condition) {
-    if (condition()) return Status::ok;
+  DisplayStatus wait_until(Condition condition) {
+    if (condition()) return DisplayStatus::ok;
     const std::uint32_t start = clock_.now_us();
     bool late = false, done = false;
     while (!done && !late) {
@@ -184,18 +185,18 @@ class Present {
       done = condition();
     }
     wait_us_ += clock_.now_us() - start;
-    return done ? Status::ok : give_up(Status::bus_timeout);
+    return done ? DisplayStatus::ok : give_up(DisplayStatus::bus_timeout);
   }
 
-  Status give_up(Status status) {
+  DisplayStatus give_up(DisplayStatus status) {
     failure_ = status;
-    needs_init_ = needs_init_ || status == Status::bus_timeout;
+    needs_init_ = needs_init_ || status == DisplayStatus::bus_timeout;
     return status;
   }
 
   void count_end() {
     in_frame_ = false;
-    ++(failure_ == Status::ok ? statistics_.frames : statistics_.frames_given_up);
+    ++(failure_ == DisplayStatus::ok ? statistics_.frames : statistics_.frames_given_up);
     statistics_.last_frame_us = clock_.now_us() - start_us_;
     statistics_.last_wait_us = wait_us_;
   }
@@ -209,7 +210,7 @@ class Present {
   std::uint32_t start_us_ = 0;
   std::uint32_t wait_us_ = 0;
   PresentStatistics statistics_;
-  Status failure_ = Status::ok;
+  DisplayStatus failure_ = DisplayStatus::ok;
   bool in_frame_ = false;
   bool needs_init_ = true;
 };

@@ -19,17 +19,17 @@
 namespace spanline {
 namespace {
 
-using hal::Status;
+using hal::DisplayStatus;
 
 static_assert(hal::Bus<sim::HostBus> && hal::Bus<sim::LateBus> && hal::Bus<sim::StuckBus> &&
               hal::Bus<test::RecordingBus> && hal::Clock<sim::SimClock>);
 
-TEST(Status, EveryValueHasANameOfItsOwn) {
+TEST(DisplayStatus, EveryValueHasANameOfItsOwn) {
   std::set<std::string> names;
-  for (int value = 0; value <= static_cast<int>(Status::out_of_order); ++value) {
-    names.insert(hal::to_string(static_cast<Status>(value)));
+  for (int value = 0; value <= static_cast<int>(DisplayStatus::out_of_order); ++value) {
+    names.insert(hal::to_string(static_cast<DisplayStatus>(value)));
   }
-  EXPECT_EQ(names.size(), static_cast<std::size_t>(Status::out_of_order) + 1);
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(DisplayStatus::out_of_order) + 1);
   EXPECT_EQ(names.count("unknown"), 0U);
 }
 
@@ -65,12 +65,12 @@ TEST(CommandTable, StepsInOrderWithTheirPauses) {
   static_assert(hal::is_well_formed(table));
   std::vector<test::Bytes> bytes;
   std::vector<std::uint32_t> pauses;
-  const Status status = hal::for_each_step(table, [&](const hal::CommandStep& step) {
+  const DisplayStatus status = hal::for_each_step(table, [&](const hal::CommandStep& step) {
     bytes.emplace_back(step.bytes.begin(), step.bytes.end());
     pauses.push_back(step.delay_ms);
-    return Status::ok;
+    return DisplayStatus::ok;
   });
-  EXPECT_EQ(status, Status::ok);
+  EXPECT_EQ(status, DisplayStatus::ok);
   EXPECT_EQ(bytes, (std::vector<test::Bytes>{{0xAA}, {0xBB, 1, 2}}));
   EXPECT_EQ(pauses, (std::vector<std::uint32_t>{5, 0}));
 }
@@ -78,11 +78,11 @@ TEST(CommandTable, StepsInOrderWithTheirPauses) {
 TEST(CommandTable, StopsAtTheFirstFailure) {
   constexpr auto table = std::to_array<std::uint8_t>({1, 0, 0xAA, 1, 0, 0xBB});
   int steps = 0;
-  const Status status = hal::for_each_step(table, [&](const hal::CommandStep&) {
+  const DisplayStatus status = hal::for_each_step(table, [&](const hal::CommandStep&) {
     ++steps;
-    return Status::bus_timeout;
+    return DisplayStatus::bus_timeout;
   });
-  EXPECT_EQ(status, Status::bus_timeout);
+  EXPECT_EQ(status, DisplayStatus::bus_timeout);
   EXPECT_EQ(steps, 1);
 }
 

@@ -289,7 +289,7 @@ class HostBusTest : public ::testing::Test {
 
 TEST_F(HostBusTest, TakesEightClocksAByte) {
   std::array<std::uint8_t, 100> pixels{};
-  ASSERT_EQ(bus_.pixels(pixels), hal::Status::ok);
+  ASSERT_EQ(bus_.pixels(pixels), hal::DisplayStatus::ok);
   EXPECT_TRUE(bus_.busy());
   clock_.delay_us(99);
   EXPECT_TRUE(bus_.busy());
@@ -299,15 +299,15 @@ TEST_F(HostBusTest, TakesEightClocksAByte) {
 
 TEST_F(HostBusTest, ComplainsOfCommandsDuringATransfer) {
   std::array<std::uint8_t, 100> pixels{};
-  ASSERT_EQ(bus_.pixels(pixels), hal::Status::ok);
-  ASSERT_EQ(bus_.command(std::array<std::uint8_t, 1>{0x00}), hal::Status::ok);
+  ASSERT_EQ(bus_.pixels(pixels), hal::DisplayStatus::ok);
+  ASSERT_EQ(bus_.command(std::array<std::uint8_t, 1>{0x00}), hal::DisplayStatus::ok);
   ASSERT_FALSE(model_.complaints().empty());
   EXPECT_EQ(model_.complaints().front().kind, ComplaintKind::bus_used_while_busy);
 }
 
 TEST_F(HostBusTest, ComplainsOfABufferThatChangesInFlight) {
   std::array<std::uint8_t, 100> pixels{};
-  ASSERT_EQ(bus_.pixels(pixels), hal::Status::ok);
+  ASSERT_EQ(bus_.pixels(pixels), hal::DisplayStatus::ok);
   pixels[99] = 1;
   clock_.delay_us(100);
   EXPECT_FALSE(bus_.busy());
@@ -317,7 +317,7 @@ TEST_F(HostBusTest, ComplainsOfABufferThatChangesInFlight) {
 
 TEST_F(HostBusTest, ResetAbandonsATransfer) {
   std::array<std::uint8_t, 100> pixels{};
-  ASSERT_EQ(bus_.pixels(pixels), hal::Status::ok);
+  ASSERT_EQ(bus_.pixels(pixels), hal::DisplayStatus::ok);
   bus_.reset(true);
   EXPECT_FALSE(bus_.busy());
 }

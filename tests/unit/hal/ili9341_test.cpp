@@ -10,8 +10,8 @@
 namespace spanline {
 namespace {
 
+using hal::DisplayStatus;
 using hal::Orientation;
-using hal::Status;
 using test::Bytes;
 using test::RecordingBus;
 using Kind = RecordingBus::Event::Kind;
@@ -54,7 +54,7 @@ std::vector<Bytes> commands_of_init() {
   sim::SimClock clock;
   RecordingBus bus(clock);
   Driver<orientation> driver(bus, clock);
-  EXPECT_EQ(driver.init(), Status::ok);
+  EXPECT_EQ(driver.init(), DisplayStatus::ok);
   return bus.commands();
 }
 
@@ -69,7 +69,7 @@ TEST(Ili9341, InitKeepsTheDatasheetPauses) {
   sim::SimClock clock;
   RecordingBus bus(clock);
   Landscape driver(bus, clock);
-  ASSERT_EQ(driver.init(), Status::ok);
+  ASSERT_EQ(driver.init(), DisplayStatus::ok);
   const auto& events = bus.events;
   ASSERT_EQ(events[0].kind, Kind::reset_low);
   ASSERT_EQ(events[1].kind, Kind::reset_high);
@@ -85,7 +85,7 @@ TEST(Ili9341, InitKeepsTheDatasheetPauses) {
 class Ili9341Ready : public ::testing::Test {
  protected:
   void SetUp() override {
-    ASSERT_EQ(driver_.init(), Status::ok);
+    ASSERT_EQ(driver_.init(), DisplayStatus::ok);
     bus_.events.clear();
   }
 
@@ -95,8 +95,8 @@ class Ili9341Ready : public ::testing::Test {
 };
 
 TEST_F(Ili9341Ready, WindowIsInclusiveAndHighByteFirst) {
-  EXPECT_EQ(driver_.window({0, 0, 320, 240}), Status::ok);
-  EXPECT_EQ(driver_.window({258, 17, 300, 18}), Status::ok);
+  EXPECT_EQ(driver_.window({0, 0, 320, 240}), DisplayStatus::ok);
+  EXPECT_EQ(driver_.window({258, 17, 300, 18}), DisplayStatus::ok);
   EXPECT_EQ(bus_.commands(), (std::vector<Bytes>{{0x2A, 0x00, 0x00, 0x01, 0x3F},
                                                  {0x2B, 0x00, 0x00, 0x00, 0xEF},
                                                  {0x2C},
@@ -110,7 +110,7 @@ TEST_F(Ili9341Ready, WriteSendsTheWordsAsTheyLie) {
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     pixels[i] = hal::to_pixel_order(Landscape::pixel_order, static_cast<std::uint16_t>(i));
   }
-  ASSERT_EQ(driver_.write(238, 240, pixels), Status::ok);
+  ASSERT_EQ(driver_.write(238, 240, pixels), DisplayStatus::ok);
   EXPECT_EQ(bus_.commands(),
             (std::vector<Bytes>{{0x2A, 0x00, 0x00, 0x01, 0x3F}, {0x2B, 0x00, 0xEE, 0x00, 0xEF}, {0x2C}}));
   const Bytes& sent = bus_.events.back().bytes;
@@ -124,36 +124,36 @@ TEST_F(Ili9341Ready, WriteSendsTheWordsAsTheyLie) {
 
 TEST_F(Ili9341Ready, RefusesWhatTheGlassDoesNotHaveAndSendsNothing) {
   std::vector<std::uint16_t> pixels(320);
-  EXPECT_EQ(driver_.window({0, 0, 321, 240}), Status::window_out_of_range);
-  EXPECT_EQ(driver_.window({0, 0, 320, 241}), Status::window_out_of_range);
-  EXPECT_EQ(driver_.window({5, 0, 5, 240}), Status::window_out_of_range);
-  EXPECT_EQ(driver_.write(240, 241, pixels), Status::window_out_of_range);
-  EXPECT_EQ(driver_.write(-1, 0, pixels), Status::window_out_of_range);
-  EXPECT_EQ(driver_.write(0, 2, pixels), Status::buffer_too_small);
+  EXPECT_EQ(driver_.window({0, 0, 321, 240}), DisplayStatus::window_out_of_range);
+  EXPECT_EQ(driver_.window({0, 0, 320, 241}), DisplayStatus::window_out_of_range);
+  EXPECT_EQ(driver_.window({5, 0, 5, 240}), DisplayStatus::window_out_of_range);
+  EXPECT_EQ(driver_.write(240, 241, pixels), DisplayStatus::window_out_of_range);
+  EXPECT_EQ(driver_.write(-1, 0, pixels), DisplayStatus::window_out_of_range);
+  EXPECT_EQ(driver_.write(0, 2, pixels), DisplayStatus::buffer_too_small);
   EXPECT_TRUE(bus_.events.empty());
 }
 
 TEST_F(Ili9341Ready, RefusesWhileTheBusIsBusy) {
   std::vector<std::uint16_t> pixels(320);
   bus_.is_busy = true;
-  EXPECT_EQ(driver_.window({0, 0, 320, 240}), Status::bus_busy);
-  EXPECT_EQ(driver_.write(0, 1, pixels), Status::bus_busy);
-  EXPECT_EQ(driver_.sleep(true), Status::bus_busy);
+  EXPECT_EQ(driver_.window({0, 0, 320, 240}), DisplayStatus::bus_busy);
+  EXPECT_EQ(driver_.write(0, 1, pixels), DisplayStatus::bus_busy);
+  EXPECT_EQ(driver_.sleep(true), DisplayStatus::bus_busy);
   EXPECT_TRUE(bus_.events.empty());
 }
 
 TEST_F(Ili9341Ready, SleepsAndWakesWithItsPauses) {
   std::vector<std::uint16_t> pixels(320);
   const std::uint64_t start_us = clock_.now_ns() / 1000;
-  EXPECT_EQ(driver_.sleep(true), Status::ok);
-  EXPECT_EQ(driver_.sleep(true), Status::ok);  // again: nothing to do
-  EXPECT_EQ(driver_.write(0, 1, pixels), Status::panel_asleep);
-  EXPECT_EQ(driver_.window({0, 0, 1, 1}), Status::panel_asleep);
-  EXPECT_EQ(driver_.sleep(false), Status::ok);
+  EXPECT_EQ(driver_.sleep(true), DisplayStatus::ok);
+  EXPECT_EQ(driver_.sleep(true), DisplayStatus::ok);  // again: nothing to do
+  EXPECT_EQ(driver_.write(0, 1, pixels), DisplayStatus::panel_asleep);
+  EXPECT_EQ(driver_.window({0, 0, 1, 1}), DisplayStatus::panel_asleep);
+  EXPECT_EQ(driver_.sleep(false), DisplayStatus::ok);
   EXPECT_EQ(bus_.commands(), (std::vector<Bytes>{{0x28}, {0x10}, {0x11}, {0x29}}));
   EXPECT_GE(bus_.events[2].at_us - bus_.events[1].at_us, 120'000U);
   EXPECT_GE(bus_.events[3].at_us - start_us, 240'000U);
-  EXPECT_EQ(driver_.write(0, 1, pixels), Status::ok);
+  EXPECT_EQ(driver_.write(0, 1, pixels), DisplayStatus::ok);
 }
 
 TEST(Ili9341, NothingWorksBeforeInit) {
@@ -161,15 +161,16 @@ TEST(Ili9341, NothingWorksBeforeInit) {
   RecordingBus bus(clock);
   Landscape driver(bus, clock);
   std::vector<std::uint16_t> pixels(320);
-  EXPECT_EQ(driver.write(0, 1, pixels), Status::panel_not_ready);
-  EXPECT_EQ(driver.window({0, 0, 1, 1}), Status::panel_not_ready);
-  EXPECT_EQ(driver.sleep(true), Status::panel_not_ready);
+  EXPECT_EQ(driver.write(0, 1, pixels), DisplayStatus::panel_not_ready);
+  EXPECT_EQ(driver.window({0, 0, 1, 1}), DisplayStatus::panel_not_ready);
+  EXPECT_EQ(driver.sleep(true), DisplayStatus::panel_not_ready);
 }
 
 TEST(Ili9341, ChecksTheBusClock) {
   sim::SimClock clock;
-  for (const auto& [hz, want] :
-       {std::pair{10'000'000U, Status::ok}, {40'000'000U, Status::ok}, {40'000'001U, Status::bus_clock_too_high}}) {
+  for (const auto& [hz, want] : {std::pair{10'000'000U, DisplayStatus::ok},
+                                 {40'000'000U, DisplayStatus::ok},
+                                 {40'000'001U, DisplayStatus::bus_clock_too_high}}) {
     RecordingBus bus(clock, hz);
     Landscape driver(bus, clock);
     EXPECT_EQ(driver.init(), want) << hz;
@@ -181,14 +182,14 @@ TEST(Ili9341, InitSaysThatTheBusDoesNotAnswer) {
   RecordingBus bus(clock);
   Landscape driver(bus, clock);
   bus.is_busy = true;
-  EXPECT_EQ(driver.init(), Status::bus_timeout);
+  EXPECT_EQ(driver.init(), DisplayStatus::bus_timeout);
   EXPECT_LT(clock.now_ns(), 1'000'000U);  // found out before the long pauses
   bus.is_busy = false;
   bus.commands_time_out = true;
-  EXPECT_EQ(driver.init(), Status::bus_timeout);
-  EXPECT_EQ(driver.sleep(true), Status::panel_not_ready);
+  EXPECT_EQ(driver.init(), DisplayStatus::bus_timeout);
+  EXPECT_EQ(driver.sleep(true), DisplayStatus::panel_not_ready);
   bus.commands_time_out = false;
-  EXPECT_EQ(driver.init(), Status::ok);
+  EXPECT_EQ(driver.init(), DisplayStatus::ok);
 }
 
 }  // namespace

@@ -17,9 +17,9 @@ namespace spanline {
 namespace {
 
 using hal::ColourFormat;
+using hal::DisplayStatus;
 using hal::MipiOptions;
 using hal::Orientation;
-using hal::Status;
 using sim::HostBus;
 using sim::SimClock;
 using sim::St7789Glass;
@@ -85,10 +85,10 @@ template <class Parts, MipiOptions options>
 void expect_right() {
   Desk<Parts, options> desk;
   using Driver = typename Desk<Parts, options>::Driver;
-  ASSERT_EQ(desk.driver.init(), Status::ok);
+  ASSERT_EQ(desk.driver.init(), DisplayStatus::ok);
   const Frame frame = random_frame(Driver::width, Driver::height);
   Frame words = desk.ordered(frame);
-  ASSERT_EQ(desk.driver.write(0, Driver::height, words), Status::ok);
+  ASSERT_EQ(desk.driver.write(0, Driver::height, words), DisplayStatus::ok);
   desk.finish();
   const sim::PanelPicture picture = desk.model.picture();
   ASSERT_EQ(picture.width, Driver::width);
@@ -145,12 +145,12 @@ TEST(MipiPanelOptions, TwelveBitsAPixel) {
 
 TEST(MipiPanelOptions, APartialWindowChangesNothingElse) {
   Desk<Ips135x240, MipiOptions{}> desk;
-  ASSERT_EQ(desk.driver.init(), Status::ok);
+  ASSERT_EQ(desk.driver.init(), DisplayStatus::ok);
   Frame all = desk.ordered(Frame(240 * 135, 0x1234)), part = desk.ordered(Frame(20 * 10, 0xFFFF));
-  ASSERT_EQ(desk.driver.write(0, 135, all), Status::ok);
+  ASSERT_EQ(desk.driver.write(0, 135, all), DisplayStatus::ok);
   desk.finish();
   const hal::Window window{30, 50, 50, 60};
-  ASSERT_EQ(desk.driver.draw(window, part), Status::ok);
+  ASSERT_EQ(desk.driver.draw(window, part), DisplayStatus::ok);
   desk.finish();
   const sim::PanelPicture picture = desk.model.picture();
   for (int y = 0; y < 135; ++y) {
@@ -159,20 +159,20 @@ TEST(MipiPanelOptions, APartialWindowChangesNothingElse) {
       ASSERT_EQ(at(picture, x, y), wanted(inside ? 0xFFFF : 0x1234, {})) << x << ", " << y;
     }
   }
-  EXPECT_EQ(desk.driver.draw({30, 50, 241, 60}, part), Status::window_out_of_range);
-  EXPECT_EQ(desk.driver.draw({30, 50, 51, 60}, part), Status::buffer_too_small);
+  EXPECT_EQ(desk.driver.draw({30, 50, 241, 60}, part), DisplayStatus::window_out_of_range);
+  EXPECT_EQ(desk.driver.draw({30, 50, 51, 60}, part), DisplayStatus::buffer_too_small);
   EXPECT_TRUE(desk.model.complaints().empty());
 }
 
 TEST(MipiPanelOptions, ABandAfterAPartialWindowGoesToItsOwnRows) {
   Desk<Ips240x320, MipiOptions{}> desk;
-  ASSERT_EQ(desk.driver.init(), Status::ok);
+  ASSERT_EQ(desk.driver.init(), DisplayStatus::ok);
   Frame band = desk.ordered(Frame(320 * 8, 0x0F0F)), part = desk.ordered(Frame(4, 0xFFFF));
-  ASSERT_EQ(desk.driver.write(0, 8, band), Status::ok);
+  ASSERT_EQ(desk.driver.write(0, 8, band), DisplayStatus::ok);
   desk.finish();
-  ASSERT_EQ(desk.driver.draw({100, 100, 102, 102}, part), Status::ok);
+  ASSERT_EQ(desk.driver.draw({100, 100, 102, 102}, part), DisplayStatus::ok);
   desk.finish();
-  ASSERT_EQ(desk.driver.write(8, 16, band), Status::ok);
+  ASSERT_EQ(desk.driver.write(8, 16, band), DisplayStatus::ok);
   desk.finish();
   const sim::PanelPicture picture = desk.model.picture();
   EXPECT_EQ(at(picture, 0, 8), wanted(0x0F0F, {}));
@@ -183,14 +183,14 @@ TEST(MipiPanelOptions, ABandAfterAPartialWindowGoesToItsOwnRows) {
 
 TEST(MipiPanelOptions, InversionGoesBothWaysAtRunTime) {
   Desk<Ips240x240, MipiOptions{.orientation = Orientation::portrait}> desk;
-  EXPECT_EQ(desk.driver.invert(true), Status::panel_not_ready);
-  ASSERT_EQ(desk.driver.init(), Status::ok);
+  EXPECT_EQ(desk.driver.invert(true), DisplayStatus::panel_not_ready);
+  ASSERT_EQ(desk.driver.init(), DisplayStatus::ok);
   Frame words = desk.ordered(Frame(240 * 240, 0x8410));
-  ASSERT_EQ(desk.driver.write(0, 240, words), Status::ok);
+  ASSERT_EQ(desk.driver.write(0, 240, words), DisplayStatus::ok);
   desk.finish();
-  ASSERT_EQ(desk.driver.invert(true), Status::ok);
+  ASSERT_EQ(desk.driver.invert(true), DisplayStatus::ok);
   EXPECT_EQ(at(desk.model.picture(), 5, 5), wanted(0x8410, {.inverted = true}));
-  ASSERT_EQ(desk.driver.invert(false), Status::ok);
+  ASSERT_EQ(desk.driver.invert(false), DisplayStatus::ok);
   EXPECT_EQ(at(desk.model.picture(), 5, 5), wanted(0x8410, {}));
 }
 
@@ -201,10 +201,10 @@ TEST(MipiPanelOptions, APanelThatIsNotThereIsNoticedAndFoundOnceItIs) {
   sim::PluggedBus bus(wires);
   hal::St7789<hal::st7789::glass_240x320, sim::PluggedBus, SimClock> driver(bus, clock);
   bus.plug(false);
-  EXPECT_EQ(driver.init(), Status::panel_absent);
-  EXPECT_EQ(driver.sleep(true), Status::panel_not_ready);
+  EXPECT_EQ(driver.init(), DisplayStatus::panel_absent);
+  EXPECT_EQ(driver.sleep(true), DisplayStatus::panel_not_ready);
   bus.plug(true);
-  EXPECT_EQ(driver.init(), Status::ok);
+  EXPECT_EQ(driver.init(), DisplayStatus::ok);
   EXPECT_TRUE(model.complaints().empty());
 }
 
@@ -213,7 +213,7 @@ TEST(MipiPanelOptions, AnotherChipIsNotTakenForTheRightOne) {
   sim::Ili9341Model model(Orientation::landscape);
   HostBus bus(model, clock, 10'000'000);
   hal::St7789<hal::st7789::glass_240x320, HostBus, SimClock> driver(bus, clock);
-  EXPECT_EQ(driver.init(), Status::panel_absent);
+  EXPECT_EQ(driver.init(), DisplayStatus::panel_absent);
 }
 
 }  // namespace

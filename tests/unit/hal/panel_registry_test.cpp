@@ -15,8 +15,8 @@
 namespace spanline {
 namespace {
 
+using hal::DisplayStatus;
 using hal::PixelOrder;
-using hal::Status;
 using Frame = std::vector<std::uint16_t>;
 
 Frame random_frame(int width, int height, unsigned seed) {
@@ -83,7 +83,7 @@ TEST(PanelRegistry, EveryPanelShowsRandomPicturesExactlyAtEveryBandHeight) {
       unsigned seed = 1;
       for (const int band : {1, 2, 7, 16, 1000}) {
         const Frame frame = random_frame(info.width, info.height, seed++);
-        ASSERT_EQ(session->show(band, copy_from(frame, info.width, order)), Status::ok);
+        ASSERT_EQ(session->show(band, copy_from(frame, info.width, order)), DisplayStatus::ok);
         expect_picture(*session, frame);
       }
       EXPECT_TRUE(session->complaints().empty()) << describe(session->complaints().front());
@@ -94,15 +94,15 @@ TEST(PanelRegistry, EveryPanelShowsRandomPicturesExactlyAtEveryBandHeight) {
 TEST(PanelRegistry, SleepIsDarkAndWakesUpWithItsPicture) {
   for (const sim::PanelInfo& info : sim::panels()) {
     const auto session = sim::open_panel(info.name);
-    EXPECT_EQ(session->sleep(true), Status::panel_not_ready);
+    EXPECT_EQ(session->sleep(true), DisplayStatus::panel_not_ready);
     const Frame frame = random_frame(info.width, info.height, 9);
     const sim::DrawBand draw = copy_from(frame, info.width, PixelOrder::native);
-    ASSERT_EQ(session->show(16, draw), Status::ok);
-    ASSERT_EQ(session->sleep(true), Status::ok);
+    ASSERT_EQ(session->show(16, draw), DisplayStatus::ok);
+    ASSERT_EQ(session->sleep(true), DisplayStatus::ok);
     const sim::PanelPicture dark = session->picture();
     EXPECT_EQ(std::count(dark.rgb.begin(), dark.rgb.end(), 0), static_cast<std::ptrdiff_t>(dark.rgb.size()));
-    EXPECT_EQ(session->show(16, draw), Status::panel_asleep);
-    ASSERT_EQ(session->sleep(false), Status::ok);
+    EXPECT_EQ(session->show(16, draw), DisplayStatus::panel_asleep);
+    ASSERT_EQ(session->sleep(false), DisplayStatus::ok);
     expect_picture(*session, frame);
     EXPECT_TRUE(session->complaints().empty());
   }
@@ -110,7 +110,7 @@ TEST(PanelRegistry, SleepIsDarkAndWakesUpWithItsPicture) {
 
 TEST(PanelRegistry, TakesItsTimeFromTheBusClock) {
   const auto session = sim::open_panel("ili9341");
-  ASSERT_EQ(session->show(16, [](int, int, std::span<std::uint16_t>) {}), Status::ok);
+  ASSERT_EQ(session->show(16, [](int, int, std::span<std::uint16_t>) {}), DisplayStatus::ok);
   // 320 × 240 × 16 bits at 10 MHz are 122,880 µs; windows and polling add little.
   EXPECT_NEAR(session->statistics().last_frame_us, 122'880, 500);
 }
@@ -118,8 +118,8 @@ TEST(PanelRegistry, TakesItsTimeFromTheBusClock) {
 TEST(PanelRegistry, FewerBitsAPixelTakeThreeQuartersOfTheTime) {
   const auto full = sim::open_panel("st7789"), packed = sim::open_panel("st7789-444");
   const auto draw = [](int, int, std::span<std::uint16_t>) {};
-  ASSERT_EQ(full->show(16, draw), Status::ok);
-  ASSERT_EQ(packed->show(16, draw), Status::ok);
+  ASSERT_EQ(full->show(16, draw), DisplayStatus::ok);
+  ASSERT_EQ(packed->show(16, draw), DisplayStatus::ok);
   // 320 × 240 × 16 bits at 62.5 MHz are 19,661 µs, and × 12 bits 14,746.
   EXPECT_NEAR(full->statistics().last_frame_us, 19'661, 100);
   EXPECT_NEAR(packed->statistics().last_frame_us, 14'746, 100);
@@ -138,23 +138,23 @@ TEST(PanelRegistry, GivesModelsByName) {
 TEST(PanelRegistry, AboveTheRatingIsAWarningAndFarAboveAFailure) {
   const auto draw = [](int, int, std::span<std::uint16_t>) {};
   const auto fast = sim::open_panel("ili9341", {.clock_hz = 40'000'000});
-  EXPECT_EQ(fast->show(16, draw), Status::ok);
+  EXPECT_EQ(fast->show(16, draw), DisplayStatus::ok);
   ASSERT_EQ(fast->complaints().size(), 1U);
   EXPECT_EQ(fast->complaints()[0].kind, sim::ComplaintKind::clock_above_rating);
   EXPECT_FALSE(any_failure(fast->complaints()));
 
   const auto too_fast = sim::open_panel("ili9341", {.clock_hz = 62'500'000});
-  EXPECT_EQ(too_fast->show(16, draw), Status::bus_clock_too_high);
+  EXPECT_EQ(too_fast->show(16, draw), DisplayStatus::bus_clock_too_high);
   EXPECT_TRUE(any_failure(too_fast->complaints()));
 
   const auto rated = sim::open_panel("st7789", {.clock_hz = 62'500'000});
-  EXPECT_EQ(rated->show(16, draw), Status::ok);
+  EXPECT_EQ(rated->show(16, draw), DisplayStatus::ok);
   EXPECT_TRUE(rated->complaints().empty());
   const auto above = sim::open_panel("st7789", {.clock_hz = 80'000'000});
-  EXPECT_EQ(above->show(16, draw), Status::ok);
+  EXPECT_EQ(above->show(16, draw), DisplayStatus::ok);
   EXPECT_EQ(above->complaints().size(), 1U);
   EXPECT_FALSE(any_failure(above->complaints()));
-  EXPECT_EQ(sim::open_panel("st7789", {.clock_hz = 80'000'001})->show(16, draw), Status::bus_clock_too_high);
+  EXPECT_EQ(sim::open_panel("st7789", {.clock_hz = 80'000'001})->show(16, draw), DisplayStatus::bus_clock_too_high);
 }
 
 }  // namespace

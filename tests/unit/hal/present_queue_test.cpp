@@ -13,7 +13,7 @@
 namespace spanline {
 namespace {
 
-using hal::Status;
+using hal::DisplayStatus;
 using Panel = hal::St7789<hal::st7789::glass_240x320, sim::QueueBus, sim::SimClock>;
 using Present = hal::Present<Panel, sim::SimClock>;
 
@@ -27,9 +27,9 @@ class PresentQueue : public ::testing::Test {
  protected:
   /// A band that takes `draw_us` to draw.
   void show_band(int band, int index, std::uint32_t draw_us) {
-    ASSERT_EQ(present_.acquire(index), Status::ok);
+    ASSERT_EQ(present_.acquire(index), DisplayStatus::ok);
     clock_.delay_us(draw_us);
-    ASSERT_EQ(present_.submit(band * rows, (band + 1) * rows, index), Status::ok);
+    ASSERT_EQ(present_.submit(band * rows, (band + 1) * rows, index), DisplayStatus::ok);
   }
   [[nodiscard]] std::uint64_t now_us() const { return clock_.now_ns() / 1000; }
 
@@ -44,14 +44,14 @@ class PresentQueue : public ::testing::Test {
 };
 
 TEST_F(PresentQueue, EmptyBuffersDoNotCount) {
-  ASSERT_EQ(present_.begin_frame(), Status::ok);
-  EXPECT_EQ(present_.acquire(2), Status::ok);
-  EXPECT_EQ(present_.acquire(3), Status::out_of_order);
+  ASSERT_EQ(present_.begin_frame(), DisplayStatus::ok);
+  EXPECT_EQ(present_.acquire(2), DisplayStatus::ok);
+  EXPECT_EQ(present_.acquire(3), DisplayStatus::out_of_order);
   EXPECT_TRUE(present_.buffer(3).empty());
 }
 
 TEST_F(PresentQueue, QuickBandsRunAheadByAsManyAsThereAreBuffers) {
-  ASSERT_EQ(present_.begin_frame(), Status::ok);
+  ASSERT_EQ(present_.begin_frame(), DisplayStatus::ok);
   const std::uint64_t start = now_us();
   for (int band = 0; band < 3; ++band) show_band(band, band, 10);
   EXPECT_LT(now_us() - start, 100U) << "nothing to wait for";
@@ -62,7 +62,7 @@ TEST_F(PresentQueue, QuickBandsRunAheadByAsManyAsThereAreBuffers) {
 }
 
 TEST_F(PresentQueue, TellsWhetherABufferIsFree) {
-  ASSERT_EQ(present_.begin_frame(), Status::ok);
+  ASSERT_EQ(present_.begin_frame(), DisplayStatus::ok);
   for (int index = 0; index < 3; ++index) EXPECT_TRUE(present_.available(index));
   for (int band = 0; band < 3; ++band) show_band(band, band, 10);
   for (int index = 0; index < 3; ++index) EXPECT_FALSE(present_.available(index));
@@ -70,28 +70,28 @@ TEST_F(PresentQueue, TellsWhetherABufferIsFree) {
   EXPECT_TRUE(present_.available(0));
   EXPECT_FALSE(present_.available(1));
   const std::uint64_t start = now_us();
-  EXPECT_EQ(present_.acquire(0), Status::ok);
+  EXPECT_EQ(present_.acquire(0), DisplayStatus::ok);
   EXPECT_LT(now_us() - start, 10U);
 }
 
 TEST_F(PresentQueue, AFrameOfUnevenBandsTakesAsLongAsTheWire) {
-  ASSERT_EQ(present_.begin_frame(), Status::ok);
+  ASSERT_EQ(present_.begin_frame(), DisplayStatus::ok);
   const std::uint64_t start = now_us();
   for (int band = 0; band < bands; ++band) show_band(band, band % 3, band % 2 == 0 ? 100 : 1800);
-  ASSERT_EQ(present_.end_frame(), Status::ok);
+  ASSERT_EQ(present_.end_frame(), DisplayStatus::ok);
   // Drawing takes 0.95 of the wire's time on average; with the first band and one late one it is a little more in all.
   EXPECT_LT(now_us() - start, (bands + 2) * transfer_us);
   EXPECT_EQ(bus_.transfers(), bands);
 }
 
 TEST_F(PresentQueue, TheNextFrameBeginsWhileTheLastBandsLeave) {
-  ASSERT_EQ(present_.begin_frame(), Status::ok);
+  ASSERT_EQ(present_.begin_frame(), DisplayStatus::ok);
   for (int band = 0; band < bands; ++band) show_band(band, band % 3, 10);
   const int commands = bus_.commands();
-  ASSERT_EQ(present_.end_frame_early(), Status::ok);
+  ASSERT_EQ(present_.end_frame_early(), DisplayStatus::ok);
   EXPECT_TRUE(bus_.busy());
   EXPECT_EQ(present_.statistics().frames, 1U);
-  ASSERT_EQ(present_.begin_frame(), Status::ok);
+  ASSERT_EQ(present_.begin_frame(), DisplayStatus::ok);
   EXPECT_TRUE(bus_.busy());
   // The first band's window wants an idle bus: submit waits for it, and no command goes out before.
   show_band(0, bands % 3, 10);
@@ -100,13 +100,13 @@ TEST_F(PresentQueue, TheNextFrameBeginsWhileTheLastBandsLeave) {
 }
 
 TEST_F(PresentQueue, EndingEarlyWithoutAFrameIsOutOfOrder) {
-  EXPECT_EQ(present_.end_frame_early(), Status::out_of_order);
+  EXPECT_EQ(present_.end_frame_early(), DisplayStatus::out_of_order);
 }
 
 TEST_F(PresentQueue, ABufferIsTheBusesUntilItIsAcquiredAgain) {
-  ASSERT_EQ(present_.begin_frame(), Status::ok);
+  ASSERT_EQ(present_.begin_frame(), DisplayStatus::ok);
   show_band(0, 0, 10);
-  EXPECT_EQ(present_.submit(rows, 2 * rows, 0), Status::out_of_order);
+  EXPECT_EQ(present_.submit(rows, 2 * rows, 0), DisplayStatus::out_of_order);
 }
 
 }  // namespace

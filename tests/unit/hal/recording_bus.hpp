@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "panels/sim_clock.hpp"
-#include "spanline/hal/status.hpp"
+#include "spanline/hal/display_status.hpp"
 
 namespace spanline::hal {
 // NOLINTNEXTLINE(readability-identifier-naming): GoogleTest looks for this name.
-inline void PrintTo(Status status, std::ostream* out) { *out << to_string(status); }
+inline void PrintTo(DisplayStatus status, std::ostream* out) { *out << to_string(status); }
 }  // namespace spanline::hal
 
 namespace spanline::test {
@@ -28,13 +28,13 @@ class RecordingBus {
   explicit RecordingBus(sim::SimClock& clock, std::uint32_t clock_hz = 1'000'000)
       : clock_(clock), clock_hz_(clock_hz) {}
 
-  hal::Status command(std::span<const std::uint8_t> bytes) {
+  hal::DisplayStatus command(std::span<const std::uint8_t> bytes) {
     note(Event::Kind::command, bytes);
-    return commands_time_out ? hal::Status::bus_timeout : hal::Status::ok;
+    return commands_time_out ? hal::DisplayStatus::bus_timeout : hal::DisplayStatus::ok;
   }
-  hal::Status pixels(std::span<const std::uint8_t> bytes) {
+  hal::DisplayStatus pixels(std::span<const std::uint8_t> bytes) {
     note(Event::Kind::pixels, bytes);
-    return hal::Status::ok;
+    return hal::DisplayStatus::ok;
   }
   [[nodiscard]] bool busy() const { return is_busy; }
   void reset(bool held) { note(held ? Event::Kind::reset_low : Event::Kind::reset_high, {}); }

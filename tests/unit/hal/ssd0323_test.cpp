@@ -11,7 +11,7 @@
 namespace spanline {
 namespace {
 
-using hal::Status;
+using hal::DisplayStatus;
 using test::Bytes;
 using test::RecordingBus;
 using Driver = hal::Ssd0323<RecordingBus, sim::SimClock>;
@@ -32,7 +32,7 @@ TEST(Ssd0323, InitSendsExactlyTheTable) {
   sim::SimClock clock;
   RecordingBus bus(clock);
   Driver driver(bus, clock);
-  ASSERT_EQ(driver.init(), Status::ok);
+  ASSERT_EQ(driver.init(), DisplayStatus::ok);
   EXPECT_EQ(flat(bus), (Bytes{0xAE, 0xB3, 0x91, 0xA8, 0x3F, 0xA2, 0x40, 0xA1, 0x00, 0xAD, 0x02, 0xA0, 0x52,
                               0x86, 0xB8, 0x01, 0x11, 0x22, 0x32, 0x43, 0x54, 0x65, 0x76, 0x81, 0x70, 0xB2,
                               0x51, 0xB1, 0x55, 0xBC, 0x10, 0xBE, 0x1C, 0xBF, 0x0F, 0xA4, 0xAF}));
@@ -43,7 +43,7 @@ TEST(Ssd0323, InitSendsExactlyTheTable) {
 class Ssd0323Ready : public ::testing::Test {
  protected:
   void SetUp() override {
-    ASSERT_EQ(driver_.init(), Status::ok);
+    ASSERT_EQ(driver_.init(), DisplayStatus::ok);
     bus_.events.clear();
   }
 
@@ -53,16 +53,16 @@ class Ssd0323Ready : public ::testing::Test {
 };
 
 TEST_F(Ssd0323Ready, WindowCountsPairsOfColumns) {
-  EXPECT_EQ(driver_.window({0, 0, 128, 64}), Status::ok);
-  EXPECT_EQ(driver_.window({10, 3, 12, 4}), Status::ok);
+  EXPECT_EQ(driver_.window({0, 0, 128, 64}), DisplayStatus::ok);
+  EXPECT_EQ(driver_.window({10, 3, 12, 4}), DisplayStatus::ok);
   EXPECT_EQ(flat(bus_), (Bytes{0x15, 0x00, 0x3F, 0x75, 0x00, 0x3F, 0x15, 0x05, 0x05, 0x75, 0x03, 0x03}));
 }
 
 TEST_F(Ssd0323Ready, WindowKeepsToTheColumnGrid) {
-  EXPECT_EQ(driver_.window({1, 0, 128, 64}), Status::window_out_of_range);
-  EXPECT_EQ(driver_.window({0, 0, 127, 64}), Status::window_out_of_range);
-  EXPECT_EQ(driver_.window({0, 0, 130, 64}), Status::window_out_of_range);
-  EXPECT_EQ(driver_.window({0, 0, 128, 65}), Status::window_out_of_range);
+  EXPECT_EQ(driver_.window({1, 0, 128, 64}), DisplayStatus::window_out_of_range);
+  EXPECT_EQ(driver_.window({0, 0, 127, 64}), DisplayStatus::window_out_of_range);
+  EXPECT_EQ(driver_.window({0, 0, 130, 64}), DisplayStatus::window_out_of_range);
+  EXPECT_EQ(driver_.window({0, 0, 128, 65}), DisplayStatus::window_out_of_range);
   EXPECT_TRUE(bus_.events.empty());
 }
 
@@ -70,7 +70,7 @@ TEST_F(Ssd0323Ready, WritePacksTwoPixelsAByteLeftOneHigh) {
   std::vector<std::uint16_t> pixels(128 * 2, 0x0000);
   pixels[0] = 0xFFFF;
   pixels[255] = 0xFFFF;
-  ASSERT_EQ(driver_.write(62, 64, pixels), Status::ok);
+  ASSERT_EQ(driver_.write(62, 64, pixels), DisplayStatus::ok);
   EXPECT_EQ(flat(bus_), (Bytes{0x15, 0x00, 0x3F, 0x75, 0x3E, 0x3F}));
   Bytes want(128, 0x00);
   want.front() = 0xF0;
@@ -82,7 +82,7 @@ TEST_F(Ssd0323Ready, PackingInPlaceReadsEveryPixelBeforeItIsOverwritten) {
   std::vector<std::uint16_t> pixels(128 * 3);
   for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = static_cast<std::uint16_t>(i * 2654435761U >> 7);
   const std::vector<std::uint16_t> original = pixels;
-  ASSERT_EQ(driver_.write(0, 3, pixels), Status::ok);
+  ASSERT_EQ(driver_.write(0, 3, pixels), DisplayStatus::ok);
   const Bytes& sent = bus_.events.back().bytes;
   ASSERT_EQ(sent.size(), original.size() / 2);
   for (std::size_t i = 0; i < original.size(); ++i) {
@@ -93,33 +93,33 @@ TEST_F(Ssd0323Ready, PackingInPlaceReadsEveryPixelBeforeItIsOverwritten) {
 
 TEST_F(Ssd0323Ready, SleepIsDisplayOff) {
   std::vector<std::uint16_t> pixels(128);
-  EXPECT_EQ(driver_.sleep(true), Status::ok);
-  EXPECT_EQ(driver_.write(0, 1, pixels), Status::panel_asleep);
-  EXPECT_EQ(driver_.sleep(false), Status::ok);
+  EXPECT_EQ(driver_.sleep(true), DisplayStatus::ok);
+  EXPECT_EQ(driver_.write(0, 1, pixels), DisplayStatus::panel_asleep);
+  EXPECT_EQ(driver_.sleep(false), DisplayStatus::ok);
   EXPECT_EQ(flat(bus_), (Bytes{0xAE, 0xAF}));
-  EXPECT_EQ(driver_.write(0, 1, pixels), Status::ok);
+  EXPECT_EQ(driver_.write(0, 1, pixels), DisplayStatus::ok);
 }
 
 TEST_F(Ssd0323Ready, RefusesShortBuffersAndABusyBus) {
   std::vector<std::uint16_t> pixels(128);
-  EXPECT_EQ(driver_.write(0, 2, pixels), Status::buffer_too_small);
+  EXPECT_EQ(driver_.write(0, 2, pixels), DisplayStatus::buffer_too_small);
   bus_.is_busy = true;
-  EXPECT_EQ(driver_.write(0, 1, pixels), Status::bus_busy);
-  EXPECT_EQ(driver_.sleep(true), Status::bus_busy);
+  EXPECT_EQ(driver_.write(0, 1, pixels), DisplayStatus::bus_busy);
+  EXPECT_EQ(driver_.sleep(true), DisplayStatus::bus_busy);
   EXPECT_TRUE(bus_.events.empty());
 }
 
 TEST(Ssd0323, ChecksTheBusClockAndTheBus) {
   sim::SimClock clock;
   RecordingBus fast(clock, 4'000'001);
-  EXPECT_EQ(Driver(fast, clock).init(), Status::bus_clock_too_high);
+  EXPECT_EQ(Driver(fast, clock).init(), DisplayStatus::bus_clock_too_high);
   RecordingBus stuck(clock, 4'000'000);
   stuck.is_busy = true;
   Driver driver(stuck, clock);
   std::vector<std::uint16_t> pixels(128);
-  EXPECT_EQ(driver.init(), Status::bus_timeout);
-  EXPECT_EQ(driver.write(0, 1, pixels), Status::panel_not_ready);
-  EXPECT_EQ(driver.sleep(false), Status::panel_not_ready);
+  EXPECT_EQ(driver.init(), DisplayStatus::bus_timeout);
+  EXPECT_EQ(driver.write(0, 1, pixels), DisplayStatus::panel_not_ready);
+  EXPECT_EQ(driver.sleep(false), DisplayStatus::panel_not_ready);
 }
 
 // The formula against BT.601 in floating point, over all 65,536 colours: right save where the luma lies within the

@@ -11,9 +11,9 @@ namespace spanline {
 namespace {
 
 using hal::ColourFormat;
+using hal::DisplayStatus;
 using hal::MipiOptions;
 using hal::Orientation;
-using hal::Status;
 using test::Bytes;
 using test::RecordingBus;
 
@@ -28,7 +28,7 @@ TEST(St7789, InitSendsExactlyTheTable) {
   sim::SimClock clock;
   RecordingBus bus(clock);
   Driver<hal::st7789::glass_240x320, MipiOptions{.colours = ColourFormat::rgb444}> driver(bus, clock);
-  ASSERT_EQ(driver.init(), Status::ok);
+  ASSERT_EQ(driver.init(), DisplayStatus::ok);
   EXPECT_EQ(bus.commands(),
             (std::vector<Bytes>{
                 {0x01},
@@ -59,10 +59,10 @@ std::vector<Bytes> turned() {
   sim::SimClock clock;
   RecordingBus bus(clock);
   Driver<glass, MipiOptions{.orientation = orientation}> driver(bus, clock);
-  EXPECT_EQ(driver.init(), Status::ok);
+  EXPECT_EQ(driver.init(), DisplayStatus::ok);
   const Bytes access = bus.commands().back();
   bus.events.clear();
-  EXPECT_EQ(driver.window({0, 0, driver.width, driver.height}), Status::ok);
+  EXPECT_EQ(driver.window({0, 0, driver.width, driver.height}), DisplayStatus::ok);
   std::vector<Bytes> all = bus.commands();
   all.insert(all.begin(), access);
   return all;
@@ -91,7 +91,7 @@ TEST(St7789, OffsetsFollowTheOrientation) {
 class St7789Ready : public ::testing::Test {
  protected:
   void SetUp() override {
-    ASSERT_EQ(driver_.init(), Status::ok);
+    ASSERT_EQ(driver_.init(), DisplayStatus::ok);
     bus_.events.clear();
   }
 
@@ -102,16 +102,16 @@ class St7789Ready : public ::testing::Test {
 };
 
 TEST_F(St7789Ready, BandsThatFollowOneAnotherNeedNoCommands) {
-  for (int y = 0; y < 240; y += 8) ASSERT_EQ(driver_.write(y, y + 8, band_), Status::ok);
+  for (int y = 0; y < 240; y += 8) ASSERT_EQ(driver_.write(y, y + 8, band_), DisplayStatus::ok);
   EXPECT_EQ(bus_.commands(), (std::vector<Bytes>{{0x2A, 0, 0, 1, 63}, {0x2B, 0, 0, 0, 239}, {0x2C}}));
-  ASSERT_EQ(driver_.write(0, 8, band_), Status::ok);  // the next frame starts anew
+  ASSERT_EQ(driver_.write(0, 8, band_), DisplayStatus::ok);  // the next frame starts anew
   EXPECT_EQ(bus_.commands().size(), 6U);
 }
 
 TEST_F(St7789Ready, BandsOutOfOrderGetAWindow) {
-  ASSERT_EQ(driver_.write(16, 24, band_), Status::ok);
-  ASSERT_EQ(driver_.write(8, 16, band_), Status::ok);
-  ASSERT_EQ(driver_.write(16, 24, band_), Status::ok);
+  ASSERT_EQ(driver_.write(16, 24, band_), DisplayStatus::ok);
+  ASSERT_EQ(driver_.write(8, 16, band_), DisplayStatus::ok);
+  ASSERT_EQ(driver_.write(16, 24, band_), DisplayStatus::ok);
   EXPECT_EQ(
       bus_.commands(),
       (std::vector<Bytes>{
@@ -119,9 +119,9 @@ TEST_F(St7789Ready, BandsOutOfOrderGetAWindow) {
 }
 
 TEST_F(St7789Ready, WhateverElseIsSentEndsTheRunOfBands) {
-  ASSERT_EQ(driver_.write(0, 8, band_), Status::ok);
-  ASSERT_EQ(driver_.invert(false), Status::ok);
-  ASSERT_EQ(driver_.write(8, 16, band_), Status::ok);
+  ASSERT_EQ(driver_.write(0, 8, band_), DisplayStatus::ok);
+  ASSERT_EQ(driver_.invert(false), DisplayStatus::ok);
+  ASSERT_EQ(driver_.write(8, 16, band_), DisplayStatus::ok);
   EXPECT_EQ(bus_.commands(), (std::vector<Bytes>{{0x2A, 0, 0, 1, 63},
                                                  {0x2B, 0, 0, 0, 239},
                                                  {0x2C},
@@ -130,7 +130,7 @@ TEST_F(St7789Ready, WhateverElseIsSentEndsTheRunOfBands) {
                                                  {0x2B, 0, 8, 0, 239},
                                                  {0x2C}}));
   bus_.is_busy = true;
-  EXPECT_EQ(driver_.write(16, 24, band_), Status::bus_busy);
+  EXPECT_EQ(driver_.write(16, 24, band_), DisplayStatus::bus_busy);
 }
 
 TEST(St7789, PacksTwoPixelsIntoThreeBytesInPlace) {
@@ -142,8 +142,9 @@ TEST(St7789, PacksTwoPixelsIntoThreeBytesInPlace) {
 
 TEST(St7789, ChecksTheBusClock) {
   sim::SimClock clock;
-  for (const auto& [hz, want] :
-       {std::pair{62'500'000U, Status::ok}, {80'000'000U, Status::ok}, {80'000'001U, Status::bus_clock_too_high}}) {
+  for (const auto& [hz, want] : {std::pair{62'500'000U, DisplayStatus::ok},
+                                 {80'000'000U, DisplayStatus::ok},
+                                 {80'000'001U, DisplayStatus::bus_clock_too_high}}) {
     RecordingBus bus(clock, hz);
     Landscape driver(bus, clock);
     EXPECT_EQ(driver.init(), want) << hz;

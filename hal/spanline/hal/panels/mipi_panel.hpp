@@ -155,48 +155,48 @@ class MipiPanel {
 
   MipiPanel(BusType& bus, ClockType& clock) : bus_(bus), clock_(clock) {}
 
-  Status init() {
+  DisplayStatus init() {
     state_ = State::off;
     next_row_ = none;
-    if (clock_rating.verdict(bus_.clock_hz()) == ClockVerdict::too_high) return Status::bus_clock_too_high;
+    if (clock_rating.verdict(bus_.clock_hz()) == ClockVerdict::too_high) return DisplayStatus::bus_clock_too_high;
     bus_.reset(true);
     clock_.delay_us(mipi::reset_low_us);
     bus_.reset(false);
-    if (bus_.busy()) return Status::bus_timeout;  // a stuck bus shows here, before the long pauses
+    if (bus_.busy()) return DisplayStatus::bus_timeout;  // a stuck bus shows here, before the long pauses
     delay_ms(clock_, mipi::settle_ms);
-    Status status = identify();
-    if (status == Status::ok) status = send_table();
-    if (status == Status::ok && packs) status = send(mipi::pixel_format_set, mipi::format_12_bits);
-    if (status == Status::ok && Chip::shows_complement != options.inverted) status = send(mipi::inversion_on);
-    if (status == Status::ok) status = send(mipi::memory_access_control, addressing.memory_access);
-    if (status == Status::ok) state_ = State::awake;
+    DisplayStatus status = identify();
+    if (status == DisplayStatus::ok) status = send_table();
+    if (status == DisplayStatus::ok && packs) status = send(mipi::pixel_format_set, mipi::format_12_bits);
+    if (status == DisplayStatus::ok && Chip::shows_complement != options.inverted) status = send(mipi::inversion_on);
+    if (status == DisplayStatus::ok) status = send(mipi::memory_access_control, addressing.memory_access);
+    if (status == DisplayStatus::ok) state_ = State::awake;
     return status;
   }
 
-  Status window(const Window& rectangle) {
-    if (const Status status = ready(); status != Status::ok) return status;
-    if (!rectangle.fits(width, height)) return Status::window_out_of_range;
+  DisplayStatus window(const Window& rectangle) {
+    if (const DisplayStatus status = ready(); status != DisplayStatus::ok) return status;
+    if (!rectangle.fits(width, height)) return DisplayStatus::window_out_of_range;
     next_row_ = none;
-    Status status = bus_.command(mipi::address_command(
+    DisplayStatus status = bus_.command(mipi::address_command(
         mipi::column_address_set, rectangle.x0 + addressing.column_offset, rectangle.x1 + addressing.column_offset));
-    if (status == Status::ok) {
+    if (status == DisplayStatus::ok) {
       status = bus_.command(mipi::address_command(mipi::page_address_set, rectangle.y0 + addressing.row_offset,
                                                   rectangle.y1 + addressing.row_offset));
     }
-    return status == Status::ok ? send(mipi::memory_write) : status;
+    return status == DisplayStatus::ok ? send(mipi::memory_write) : status;
   }
 
-  Status write(int y0, int y1, std::span<std::uint16_t> pixels) {
+  DisplayStatus write(int y0, int y1, std::span<std::uint16_t> pixels) {
     const Window rows{0, y0, width, y1};
-    if (!rows.fits(width, height)) return Status::window_out_of_range;
+    if (!rows.fits(width, height)) return DisplayStatus::window_out_of_range;
     const std::size_t count = static_cast<std::size_t>(y1 - y0) * width;
-    if (pixels.size() < count) return Status::buffer_too_small;
+    if (pixels.size() < count) return DisplayStatus::buffer_too_small;
     if (y0 == next_row_) {
-      if (state_ == State::asleep) return Status::panel_asleep;
-      if (!takes(y0)) return Status::bus_busy;
+      if (state_ == State::asleep) return DisplayStatus::panel_asleep;
+      if (!takes(y0)) return DisplayStatus::bus_busy;
     } else {
-      const Status status = window({0, y0, width, height});  // down to the end, so that the next band may follow
-      if (status != Status::ok) return status;
+      const DisplayStatus status = window({0, y0, width, height});  // down to the end, so that the next band may follow
+      if (status != DisplayStatus::ok) return status;
     }
     next_row_ = y1 == height ? none : y1;
     return start(pixels.first(count));
@@ -204,13 +204,13 @@ class MipiPanel {
 
   /// Sends a rectangle alone: `pixels` holds it row by row, an even number of words, and is the bus's until busy() has
   /// returned false.
-  Status draw(const Window& rectangle, std::span<std::uint16_t> pixels) {
-    if (!rectangle.fits(width, height)) return Status::window_out_of_range;
+  DisplayStatus draw(const Window& rectangle, std::span<std::uint16_t> pixels) {
+    if (!rectangle.fits(width, height)) return DisplayStatus::window_out_of_range;
     const std::size_t count =
         static_cast<std::size_t>(rectangle.x1 - rectangle.x0) * static_cast<std::size_t>(rectangle.y1 - rectangle.y0);
-    if (packs && count % 2 != 0) return Status::window_out_of_range;
-    if (pixels.size() < count) return Status::buffer_too_small;
-    if (const Status status = window(rectangle); status != Status::ok) return status;
+    if (packs && count % 2 != 0) return DisplayStatus::window_out_of_range;
+    if (pixels.size() < count) return DisplayStatus::buffer_too_small;
+    if (const DisplayStatus status = window(rectangle); status != DisplayStatus::ok) return status;
     return start(pixels.first(count));
   }
 
@@ -235,54 +235,55 @@ class MipiPanel {
   }
 
   /// Shows every colour as its complement, or as it is again. init() goes back to what the options say.
-  Status invert(bool inverted) {
-    if (const Status status = ready(); status != Status::ok) return status;
+  DisplayStatus invert(bool inverted) {
+    if (const DisplayStatus status = ready(); status != DisplayStatus::ok) return status;
     next_row_ = none;
     return send(inverted != Chip::shows_complement ? mipi::inversion_on : mipi::inversion_off);
   }
 
-  Status sleep(bool asleep) {
-    if (state_ == State::off) return Status::panel_not_ready;
-    if (bus_.busy()) return Status::bus_busy;
-    if (asleep == (state_ == State::asleep)) return Status::ok;
+  DisplayStatus sleep(bool asleep) {
+    if (state_ == State::off) return DisplayStatus::panel_not_ready;
+    if (bus_.busy()) return DisplayStatus::bus_busy;
+    if (asleep == (state_ == State::asleep)) return DisplayStatus::ok;
     next_row_ = none;
-    Status status = send(asleep ? mipi::display_off : mipi::sleep_out);
-    if (status == Status::ok && !asleep) delay_ms(clock_, mipi::settle_ms);
-    if (status == Status::ok) status = send(asleep ? mipi::sleep_in : mipi::display_on);
-    if (status != Status::ok) return status;
+    DisplayStatus status = send(asleep ? mipi::display_off : mipi::sleep_out);
+    if (status == DisplayStatus::ok && !asleep) delay_ms(clock_, mipi::settle_ms);
+    if (status == DisplayStatus::ok) status = send(asleep ? mipi::sleep_in : mipi::display_on);
+    if (status != DisplayStatus::ok) return status;
     if (asleep) delay_ms(clock_, mipi::settle_ms);
     state_ = asleep ? State::asleep : State::awake;
-    return Status::ok;
+    return DisplayStatus::ok;
   }
 
  private:
   enum class State : std::uint8_t { off, awake, asleep };
   static constexpr int none = -1;
 
-  [[nodiscard]] Status ready() const {
-    if (state_ == State::off) return Status::panel_not_ready;
-    if (state_ == State::asleep) return Status::panel_asleep;
-    return bus_.busy() ? Status::bus_busy : Status::ok;
+  [[nodiscard]] DisplayStatus ready() const {
+    if (state_ == State::off) return DisplayStatus::panel_not_ready;
+    if (state_ == State::asleep) return DisplayStatus::panel_asleep;
+    return bus_.busy() ? DisplayStatus::bus_busy : DisplayStatus::ok;
   }
 
-  Status identify() {
+  DisplayStatus identify() {
     if constexpr (ReadableBus<BusType>) {
       std::array<std::uint8_t, Chip::identity.size()> answer{};
-      if (const Status status = bus_.read(Chip::identity_command, answer); status != Status::ok) return status;
-      if (!std::ranges::equal(answer, Chip::identity)) return Status::panel_absent;
+      if (const DisplayStatus status = bus_.read(Chip::identity_command, answer); status != DisplayStatus::ok)
+        return status;
+      if (!std::ranges::equal(answer, Chip::identity)) return DisplayStatus::panel_absent;
     }
-    return Status::ok;
+    return DisplayStatus::ok;
   }
 
-  Status send_table() {
+  DisplayStatus send_table() {
     return for_each_step(Chip::init_table, [this](const CommandStep& step) {
-      const Status sent = bus_.command(step.bytes);
-      if (sent == Status::ok && step.delay_ms != 0) delay_ms(clock_, step.delay_ms);
+      const DisplayStatus sent = bus_.command(step.bytes);
+      if (sent == DisplayStatus::ok && step.delay_ms != 0) delay_ms(clock_, step.delay_ms);
       return sent;
     });
   }
 
-  Status start(std::span<std::uint16_t> pixels) {
+  DisplayStatus start(std::span<std::uint16_t> pixels) {
     if constexpr (packs) {
       return bus_.pixels(mipi::pack_444_in_place(pixels));
     } else {
@@ -291,7 +292,7 @@ class MipiPanel {
   }
 
   template <typename... Bytes>
-  Status send(Bytes... bytes) {
+  DisplayStatus send(Bytes... bytes) {
     return bus_.command(std::array<std::uint8_t, sizeof...(Bytes)>{bytes...});
   }
 

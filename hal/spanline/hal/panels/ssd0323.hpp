@@ -91,68 +91,68 @@ class Ssd0323 {
 
   Ssd0323(BusType& bus, ClockType& clock) : bus_(bus), clock_(clock) {}
 
-  Status init() {
+  DisplayStatus init() {
     state_ = State::off;
-    if (clock_rating.verdict(bus_.clock_hz()) == ClockVerdict::too_high) return Status::bus_clock_too_high;
+    if (clock_rating.verdict(bus_.clock_hz()) == ClockVerdict::too_high) return DisplayStatus::bus_clock_too_high;
     bus_.reset(true);
     clock_.delay_us(ssd0323::reset_low_us);
     bus_.reset(false);
-    if (bus_.busy()) return Status::bus_timeout;  // a stuck bus shows here, before the long pause
+    if (bus_.busy()) return DisplayStatus::bus_timeout;  // a stuck bus shows here, before the long pause
     delay_ms(clock_, ssd0323::settle_ms);
-    const Status status = for_each_step(ssd0323::init_table, [this](const CommandStep& step) {
-      const Status sent = send(step.bytes);
-      if (sent == Status::ok && step.delay_ms != 0) delay_ms(clock_, step.delay_ms);
+    const DisplayStatus status = for_each_step(ssd0323::init_table, [this](const CommandStep& step) {
+      const DisplayStatus sent = send(step.bytes);
+      if (sent == DisplayStatus::ok && step.delay_ms != 0) delay_ms(clock_, step.delay_ms);
       return sent;
     });
-    if (status == Status::ok) state_ = State::awake;
+    if (status == DisplayStatus::ok) state_ = State::awake;
     return status;
   }
 
   /// x0 and x1 are even: memory columns hold two pixels.
-  Status window(const Window& rectangle) {
-    if (const Status status = ready(); status != Status::ok) return status;
+  DisplayStatus window(const Window& rectangle) {
+    if (const DisplayStatus status = ready(); status != DisplayStatus::ok) return status;
     if (!rectangle.fits(width, height) || rectangle.x0 % 2 != 0 || rectangle.x1 % 2 != 0) {
-      return Status::window_out_of_range;
+      return DisplayStatus::window_out_of_range;
     }
     return send(std::array{ssd0323::set_column_address, static_cast<std::uint8_t>(rectangle.x0 / 2),
                            static_cast<std::uint8_t>(rectangle.x1 / 2 - 1), ssd0323::set_row_address,
                            static_cast<std::uint8_t>(rectangle.y0), static_cast<std::uint8_t>(rectangle.y1 - 1)});
   }
 
-  Status write(int y0, int y1, std::span<std::uint16_t> pixels) {
+  DisplayStatus write(int y0, int y1, std::span<std::uint16_t> pixels) {
     const Window rows{0, y0, width, y1};
-    if (!rows.fits(width, height)) return Status::window_out_of_range;
+    if (!rows.fits(width, height)) return DisplayStatus::window_out_of_range;
     const std::size_t count = static_cast<std::size_t>(y1 - y0) * width;
-    if (pixels.size() < count) return Status::buffer_too_small;
-    if (const Status status = window(rows); status != Status::ok) return status;
+    if (pixels.size() < count) return DisplayStatus::buffer_too_small;
+    if (const DisplayStatus status = window(rows); status != DisplayStatus::ok) return status;
     return bus_.pixels(ssd0323::pack_in_place(pixels.first(count)));
   }
 
   [[nodiscard]] bool busy() const { return bus_.busy(); }
 
   /// Sleep is display off: the memory stays, and takes writes, but the driver refuses them like any panel.
-  Status sleep(bool asleep) {
-    if (state_ == State::off) return Status::panel_not_ready;
-    if (bus_.busy()) return Status::bus_busy;
-    const Status status = send(std::array{asleep ? ssd0323::display_off : ssd0323::display_on});
-    if (status == Status::ok) state_ = asleep ? State::asleep : State::awake;
+  DisplayStatus sleep(bool asleep) {
+    if (state_ == State::off) return DisplayStatus::panel_not_ready;
+    if (bus_.busy()) return DisplayStatus::bus_busy;
+    const DisplayStatus status = send(std::array{asleep ? ssd0323::display_off : ssd0323::display_on});
+    if (status == DisplayStatus::ok) state_ = asleep ? State::asleep : State::awake;
     return status;
   }
 
  private:
   enum class State : std::uint8_t { off, awake, asleep };
 
-  [[nodiscard]] Status ready() const {
-    if (state_ == State::off) return Status::panel_not_ready;
-    if (state_ == State::asleep) return Status::panel_asleep;
-    return bus_.busy() ? Status::bus_busy : Status::ok;
+  [[nodiscard]] DisplayStatus ready() const {
+    if (state_ == State::off) return DisplayStatus::panel_not_ready;
+    if (state_ == State::asleep) return DisplayStatus::panel_asleep;
+    return bus_.busy() ? DisplayStatus::bus_busy : DisplayStatus::ok;
   }
 
-  Status send(std::span<const std::uint8_t> bytes) {
+  DisplayStatus send(std::span<const std::uint8_t> bytes) {
     for (std::size_t i = 0; i < bytes.size(); ++i) {
-      if (const Status status = bus_.command(bytes.subspan(i, 1)); status != Status::ok) return status;
+      if (const DisplayStatus status = bus_.command(bytes.subspan(i, 1)); status != DisplayStatus::ok) return status;
     }
-    return Status::ok;
+    return DisplayStatus::ok;
   }
 
   BusType& bus_;

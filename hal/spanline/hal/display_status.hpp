@@ -4,7 +4,7 @@
 namespace spanline::hal {
 
 /// What became of a HAL call. Everything but `ok` means that the call did not do what it was asked to do.
-enum class [[nodiscard]] Status : std::uint8_t{
+enum class [[nodiscard]] DisplayStatus : std::uint8_t{
     ok,
     bus_timeout,          ///< the bus did not finish a transfer in time; the frame is given up
     bus_busy,             ///< a transfer is still in flight: wait until the bus is not busy
@@ -19,29 +19,29 @@ enum class [[nodiscard]] Status : std::uint8_t{
 };
 
 /// The name of a status, for consoles and test output.
-[[nodiscard]] constexpr const char* to_string(Status status) {
+[[nodiscard]] constexpr const char* to_string(DisplayStatus status) {
   switch (status) {
-    case Status::ok:
+    case DisplayStatus::ok:
       return "ok";
-    case Status::bus_timeout:
+    case DisplayStatus::bus_timeout:
       return "bus_timeout";
-    case Status::bus_busy:
+    case DisplayStatus::bus_busy:
       return "bus_busy";
-    case Status::bus_clock_too_high:
+    case DisplayStatus::bus_clock_too_high:
       return "bus_clock_too_high";
-    case Status::bus_clock_too_low:
+    case DisplayStatus::bus_clock_too_low:
       return "bus_clock_too_low";
-    case Status::panel_absent:
+    case DisplayStatus::panel_absent:
       return "panel_absent";
-    case Status::window_out_of_range:
+    case DisplayStatus::window_out_of_range:
       return "window_out_of_range";
-    case Status::buffer_too_small:
+    case DisplayStatus::buffer_too_small:
       return "buffer_too_small";
-    case Status::panel_not_ready:
+    case DisplayStatus::panel_not_ready:
       return "panel_not_ready";
-    case Status::panel_asleep:
+    case DisplayStatus::panel_asleep:
       return "panel_asleep";
-    case Status::out_of_order:
+    case DisplayStatus::out_of_order:
       return "out_of_order";
   }
   return "unknown";
