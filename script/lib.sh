@@ -1,6 +1,8 @@
 # What the scripts share. Sourced, with the repository's root as the working folder afterwards.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+# Python would leave compiled modules among the sources.
+export PYTHONDONTWRITEBYTECODE=1
 
 # Of fonts-dejavu-core.
 sans_font=/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf

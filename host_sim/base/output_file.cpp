@@ -33,7 +33,7 @@ extern "C" void remove_temporaries(int signal_number) {
 }
 
 int register_temporary(const std::string& path) {
-  for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) {
+  for (const int signal_number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
     struct sigaction now {};
     if (sigaction(signal_number, nullptr, &now) == 0 && now.sa_handler == SIG_DFL)
       std::signal(signal_number, remove_temporaries);

@@ -10,7 +10,7 @@ namespace spanline::sim {
 ///
 /// The constructor already finds out whether the target can be written, before any long work. A target that is not a
 /// regular file (/dev/null, a pipe) is written directly. Temporaries are removed by the destructor, and when SIGINT,
-/// SIGTERM or SIGHUP ends the process. All functions throw Failure with the target's name.
+/// SIGTERM, SIGHUP or SIGPIPE ends the process. All functions throw Failure with the target's name.
 class OutputFile {
  public:
   explicit OutputFile(std::string path);

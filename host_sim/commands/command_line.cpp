@@ -1,25 +1,42 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <new>
 #include <span>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "base/failure.hpp"
+#include "base/standard_streams.hpp"
 #include "commands/commands.hpp"
 #include "spanline/version.hpp"
 
 namespace spanline::sim {
 namespace {
 
-/// One line whatever the message holds: file names may have control characters.
-int report(std::string message, int exit_code) {
-  while (!message.empty() && (message.back() == '\n' || message.back() == '\r')) message.pop_back();
-  std::replace_if(
-      message.begin(), message.end(), [](unsigned char c) { return c < ' ' || c == 127; }, ' ');
-  std::fprintf(stderr, "spanline: error: %s\n", message.c_str());
+int report(const std::string& message, int exit_code) {
+  print_message("error", message);
   return exit_code;
+}
+
+/// The command line's words, last first as CLI11 takes them. `-o=NAME` is what `--output=NAME` is, which the library
+/// would read as the name "=NAME"; and a value that is empty after its equals sign is empty, where the library would
+/// take the next word.
+std::vector<std::string> words_of(int argc, const char* const* argv) {
+  std::vector<std::string> words;
+  bool options = true;
+  for (int i = 1; i < argc; ++i) {
+    std::string word = argv[i];
+    if (word == "--") options = false;
+    if (options && word.starts_with("-o=")) word = "--output" + word.substr(2);
+    const bool empty = options && word.starts_with("--") && word.find('=') == word.size() - 1;
+    if (empty) word.pop_back();
+    words.push_back(word);
+    if (empty) words.emplace_back();
+  }
+  std::reverse(words.begin(), words.end());
+  return words;
 }
 
 void declare_all(CLI::App& app, std::span<const std::unique_ptr<Command>> commands) {
@@ -47,17 +64,21 @@ void check_command(std::span<const std::unique_ptr<Command>> commands, int argc,
 }  // namespace
 
 int run_command_line(int argc, const char* const* argv) {
+  prepare_streams();
   CLI::App app("Draws 3D models as a microcontroller would: integers alone, scan line by scan line.", "spanline");
   const std::array<std::unique_ptr<Command>, 5> commands{
       make_render_command(), make_view_command(), make_convert_command(), make_font_command(), make_list_command()};
   try {
     check_command(commands, argc, argv);
     declare_all(app, commands);
-    app.parse(argc, argv);
-    if (std::fflush(stdout) != 0) return report("standard output cannot be written", 1);
+    try {
+      app.parse(words_of(argc, argv));
+    } catch (const CLI::Success& success) {
+      std::ostringstream text, errors;
+      app.exit(success, text, errors);
+      print(text.str());
+    }
     return 0;
-  } catch (const CLI::Success& success) {
-    return app.exit(success);
   } catch (const CLI::ParseError& error) {
     return report(error.what(), 2);
   } catch (const Failure& failure) {

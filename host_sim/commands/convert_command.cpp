@@ -1,11 +1,11 @@
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <string>
 
 #include "base/failure.hpp"
 #include "base/output_file.hpp"
+#include "base/standard_streams.hpp"
 #include "commands/commands.hpp"
 #include "commands/displacement_options.hpp"
 #include "commands/highlight_options.hpp"
@@ -26,7 +26,7 @@ class ConvertCommand final : public Command {
  public:
   void declare(CLI::App& app) override {
     app.add_option("MODEL", model_, "OBJ, glTF/GLB, PLY or STL; or an image, PNG or JPEG, for a texture")->required();
-    app.add_option("-o", output_, "the header")->type_name("mesh.hpp")->required();
+    app.add_option("-o,--output", output_, "the header")->type_name("mesh.hpp")->required();
     app.add_option("--name", name_, "name of the mesh or texture (by default the header's)")->type_name("NAME");
     app.add_flag("--textured", textured_, "keeps the model's texture coordinates");
     app.add_flag("--materials", materials_, "a mesh, a material and its texture for each of the model's parts");
@@ -64,8 +64,9 @@ class ConvertCommand final : public Command {
     const CoreMesh mesh = to_valid_mesh(scene);
     file.write(write_header(mesh, name_.value_or(identifier_from(output_)),
                             std::filesystem::path(model_).filename().string()));
+    file.close();
+    print(memory_report(mesh, measure_need(scene)));
     file.commit();
-    std::fputs(memory_report(mesh, measure_need(scene)).c_str(), stdout);
   }
 
   [[nodiscard]] const char* name() const override { return "convert"; }
@@ -83,8 +84,9 @@ class ConvertCommand final : public Command {
     texture.shape.wrap_s = texture.shape.wrap_t = wrap;
     file.write(write_texture_header(texture, name_.value_or(identifier_from(output_)),
                                     std::filesystem::path(model_).filename().string()));
+    file.close();
+    print(texture_report(texture));
     file.commit();
-    std::fputs(texture_report(texture).c_str(), stdout);
   }
 
   void convert_parts(const std::optional<DisplacementArguments>& displacement,
@@ -107,8 +109,9 @@ class ConvertCommand final : public Command {
     for (const CoreMesh& mesh : parts.meshes) check(mesh);
     file.write(write_parts_header(parts, name_.value_or(identifier_from(output_)),
                                   std::filesystem::path(model_).filename().string()));
+    file.close();
+    print(parts_report(parts, measure_need(welded(scene))));
     file.commit();
-    std::fputs(parts_report(parts, measure_need(welded(scene))).c_str(), stdout);
   }
 
   [[nodiscard]] TextureOptions texture_options() const {

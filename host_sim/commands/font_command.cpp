@@ -16,7 +16,7 @@ class FontCommand final : public Command {
  public:
   void declare(CLI::App& app) override {
     app.add_option("FONT", font_, "TrueType or OpenType")->required();
-    app.add_option("-o", output_, "the header")->type_name("font.hpp")->required();
+    app.add_option("-o,--output", output_, "the header")->type_name("font.hpp")->required();
     app.add_option("--pixels", pixels_, "height of an em (14)")->type_name("N");
     app.add_option("--name", name_, "name of the font (by default the header's)")->type_name("NAME");
   }

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
-#include <cstdio>
+#include <string>
 
+#include "base/standard_streams.hpp"
 #include "commands/commands.hpp"
 #include "registry/registry.hpp"
 
@@ -11,9 +12,10 @@ class ListCommand final : public Command {
  public:
   void declare(CLI::App&) override {}
   void run() override {
+    std::string text;
     for (const ListEntry& entry : list_entries())
-      std::printf("%s\t%s\t%s\t%s\n", entry.kind.c_str(), entry.name.c_str(), entry.exactness.c_str(),
-                  entry.description.c_str());
+      text += entry.kind + "\t" + entry.name + "\t" + entry.exactness + "\t" + entry.description + "\n";
+    print(text);
   }
   [[nodiscard]] const char* name() const override { return "list"; }
   [[nodiscard]] const char* description() const override {

@@ -1,10 +1,10 @@
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <optional>
 
 #include "base/failure.hpp"
 #include "base/output_file.hpp"
 #include "base/progress.hpp"
+#include "base/standard_streams.hpp"
 #include "commands/commands.hpp"
 #include "commands/render_options.hpp"
 #include "image/animation.hpp"
@@ -23,10 +23,12 @@ struct RenderOutputs {
     if (arguments.statistics_output) statistics.emplace(*arguments.statistics_output);
   }
 
-  void commit() {
+  void close() {
     picture.close();
     for (auto* file : {&depth, &ids, &statistics})
       if (*file) (*file)->close();
+  }
+  void commit() {
     picture.commit();
     for (auto* file : {&depth, &ids, &statistics})
       if (*file) (*file)->commit();
@@ -42,7 +44,8 @@ void render_still(Studio& studio, RenderOutputs& outputs, const std::optional<Re
   if (outputs.depth) outputs.depth->write(encode_png(to_picture(frame.depths, frame.size)));
   if (outputs.ids) outputs.ids->write(encode_png(to_picture(frame.ids, frame.size)));
   if (outputs.statistics) outputs.statistics->write(to_json(frame.statistics));
-  if (pick) std::printf("%s\n", to_string(studio.pick(pick->x, pick->y)).c_str());
+  outputs.close();
+  if (pick) print(to_string(studio.pick(pick->x, pick->y)) + "\n");
 }
 
 void render_turntable(Studio& studio, int frames, OutputFile& file) {
@@ -54,6 +57,7 @@ void render_turntable(Studio& studio, int frames, OutputFile& file) {
     animation->add(studio.picture(studio.draw(static_cast<double>(i) / frames)));
   }
   animation->finish();
+  file.close();
 }
 
 class RenderCommand final : public Command {
@@ -69,6 +73,7 @@ class RenderCommand final : public Command {
     else
       render_still(studio, outputs, arguments.pick);
     outputs.commit();
+    if (const std::optional<std::string> note = studio.note_on_culling()) print_message("note", *note);
   }
 
   [[nodiscard]] const char* name() const override { return "render"; }

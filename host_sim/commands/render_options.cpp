@@ -30,7 +30,7 @@ void add_camera_options(CLI::App& command, RenderTexts& texts) {
 
 void add_output_options(CLI::App& command, RenderTexts& texts) {
   const std::string group = "Output";
-  command.add_option("-o", texts.output, "the picture")->type_name("OUT.png")->required()->group(group);
+  command.add_option("-o,--output", texts.output, "the picture")->type_name("OUT.png")->required()->group(group);
   command.add_option("--depth-out", texts.depth_output, "depths as 8-bit RGB, R<<16|G<<8|B")
       ->type_name("F.png")
       ->group(group);
@@ -241,6 +241,8 @@ void parse_drawing(const RenderTexts& texts, RenderArguments& arguments) {
   arguments.environment = texts.environment;
   if (texts.environment && arguments.shading != nullptr && !arguments.shading->textured)
     throw UsageError("--environment goes with --shade texture");
+  if (texts.texture && arguments.shading != nullptr && !arguments.shading->textured && arguments.shading->lit)
+    throw UsageError("--texture goes with --shade texture or unlit");
   if (arguments.shading == nullptr && (arguments.texture || arguments.environment))
     arguments.shading = &find_shading("texture");
   parse_texturing(texts, arguments);
@@ -253,6 +255,7 @@ void parse_drawing(const RenderTexts& texts, RenderArguments& arguments) {
         "--depth-sense", *texts.depth_sense,
         std::array{std::pair{"smaller", Sense::smaller_is_nearer}, std::pair{"larger", Sense::larger_is_nearer}});
   if (texts.band) arguments.band_lines = parse_integer("--band", *texts.band, 1, greatest_size);
+  arguments.cull_stated = texts.cull.has_value();
   if (texts.cull)
     arguments.cull = parse_choice(
         "--cull", *texts.cull,

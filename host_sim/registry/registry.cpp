@@ -18,7 +18,7 @@ constexpr std::array<ShadingEntry, 4> shading_table{{
     {"flat", "one brightness a polygon", false, true, false},
     {"gouraud", "brightness interpolated between the vertices", true, true, false},
     {"texture", "textures under brightness interpolated between the vertices", true, true, true},
-    {"unlit", "colours as they are, without light", true, false, false},
+    {"unlit", "colours and textures as they are, without light", true, false, false},
 }};
 
 struct BoardEntry {

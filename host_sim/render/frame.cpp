@@ -180,6 +180,7 @@ class FrameDrawing {
     // Without normals every vertex is fully lit: only colours of vertices call for interpolation then.
     const bool smooth = request.smooth && !(first.vertex_normals.empty() && first.vertex_colours.empty());
     Material material{.shading = smooth ? ShadingMode::gouraud : ShadingMode::flat};
+    material.lit = request.lit;
     material.texturing.coordinates = request.coordinates;
     material.texturing.filter = request.filter;
     if (request.mip_map) material.texturing.mip_mapping = MipMapping::span;

@@ -32,6 +32,7 @@ struct FrameRequest {
   DepthSense depth_sense = DepthSense::smaller_is_nearer;
   Cull cull = Cull::back;
   bool smooth = false;                       ///< Gouraud
+  bool lit = true;                           ///< otherwise colours and textures as they are
   std::span<const FrameTexture> textures{};  ///< by a mesh's part; empty: none
   TextureCoordinates coordinates = TextureCoordinates::mesh;
   TextureFilter filter = TextureFilter::nearest;

@@ -40,6 +40,7 @@ struct RenderArguments {
   DepthSense depth_sense = DepthSense::smaller_is_nearer;
   int band_lines = 16;
   Cull cull = Cull::back;
+  bool cull_stated = false;  ///< by the user
   std::vector<Vector3> lights;
   std::vector<ScenePointLight> point_lights;
   std::optional<double> ambient;

@@ -13,8 +13,12 @@ const ShadingEntry& default_shading(const Scene& scene) {
   return find_shading(scene.normals_from_file ? "gouraud" : "flat");
 }
 
+bool shows_textures(const ShadingEntry& shading, const Scene& scene) {
+  return shading.textured || (!shading.lit && is_textured(scene));
+}
+
 Scene prepared_for(Scene scene, const ShadingEntry& shading, bool pixel_by_pixel) {
-  if (shading.textured) {
+  if (shows_textures(shading, scene)) {
     // Colours of materials are those of the parts, which textures are multiplied with.
     scene.polygon_colours.clear();
   } else if (pixel_by_pixel) {
@@ -71,6 +75,7 @@ FrameRequest make_request(const RenderArguments& arguments, const ShadingEntry& 
   request.depth_sense = arguments.depth_sense;
   request.cull = arguments.cull;
   request.smooth = shading.smooth;
+  request.lit = shading.lit;
   request.filter = arguments.filter;
   request.mip_map = arguments.mip_map;
   request.dither = arguments.dither;

@@ -8,6 +8,9 @@ namespace spanline::sim {
 /// How a model is shaded when nobody says: smoothly if its file has normals for its vertices, else flat.
 [[nodiscard]] const ShadingEntry& default_shading(const Scene& scene);
 
+/// Whether a scene is drawn with its textures: a shading without light keeps those that there are.
+[[nodiscard]] bool shows_textures(const ShadingEntry& shading, const Scene& scene);
+
 /// The scene with just the tables that a shading uses, so that vertices join where they can. Where surfaces are
 /// worked out pixel by pixel (relief, solids) they have texture coordinates and one colour.
 [[nodiscard]] Scene prepared_for(Scene scene, const ShadingEntry& shading, bool pixel_by_pixel = false);

@@ -15,7 +15,8 @@ Studio::Studio(const RenderArguments& arguments) : arguments_(arguments), scene_
     for (Scene::Part& part : scene_.parts) part.image = Scene::Part::no_image;
   if (arguments.displacement) scene_ = displaced(scene_, arguments.model, *arguments.displacement);
   shading_ = arguments.shading != nullptr ? arguments.shading : &default_shading(scene_);
-  if (arguments.environment || shading_->textured)
+  const bool has_texture = arguments.texture || is_textured(scene_);
+  if (arguments.environment || shading_->textured || (!shading_->lit && has_texture))
     read_textures();
   else if (arguments.for_textures)
     throw UsageError("--filter, --mipmap, --resize and --wrap want a texture: one of the model's, or --texture FILE");
@@ -27,6 +28,7 @@ Studio::Studio(const RenderArguments& arguments) : arguments_(arguments), scene_
   if (arguments.highlights) set_highlights(scene_, *arguments.highlights);
   if (arguments.heights) set_highlights(scene_, {});  // the file's own: reliefs have none
   fade(scene_, arguments.opacity);
+  if (arguments.cull == Cull::back) edges_ = count_edges(scene_);
   scene_ = prepared_for(std::move(scene_), *shading_, arguments.heights || arguments.solid);
   view_ = resolve_view(arguments.view, scene_, arguments.size, arguments.turntable_frames > 0);
   light_ = resolve_light(arguments.lights, arguments.point_lights, arguments.ambient, view_);
@@ -74,6 +76,27 @@ PickedPixel Studio::pick(int x, int y) {
   PickedPixel picked = renderer_->pick(wanted, x, y);
   if (picked.id != 0) picked.depth = stated_depth(picked.depth, wanted);
   return picked;
+}
+
+std::optional<std::string> Studio::note_on_culling() {
+  if (edges_.closed() || (!arguments_.cull_stated && !culling_shows())) return std::nullopt;
+  return arguments_.model + ": the mesh is not closed (" + to_string(edges_) +
+         "), and faces seen from behind are not drawn; --cull none draws them";
+}
+
+bool Studio::culling_shows() {
+  if (scene_.triangles.size() >= 1u << 24) return true;  // more than a picture of ids can tell apart
+  const int views = arguments_.turntable_frames > 0 ? 4 : 1;
+  for (int number = 0; number < views; ++number) {
+    FrameRequest wanted = request(number == 0 ? view_ : turned(view_, static_cast<double>(number) / views), light_);
+    wanted.want_ids = true;
+    wanted.want_depth = wanted.want_statistics = false;
+    wanted.samples = 1;
+    const std::vector<std::uint32_t> culled = renderer_->draw(wanted).ids;
+    wanted.cull = Cull::none;
+    if (renderer_->draw(wanted).ids != culled) return true;
+  }
+  return false;
 }
 
 std::uint32_t Studio::stated_depth(std::uint32_t depth, const FrameRequest& request) const {

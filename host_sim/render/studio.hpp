@@ -6,6 +6,7 @@
 #include "render/panel_picture.hpp"
 #include "render/part_textures.hpp"
 #include "render/render_arguments.hpp"
+#include "scene/surface_edges.hpp"
 
 namespace spanline::sim {
 
@@ -21,6 +22,10 @@ class Studio {
   /// What is seen at a pixel of the view as it was asked for.
   [[nodiscard]] PickedPixel pick(int x, int y);
 
+  /// What to tell a user whose model is no closed surface, so that the backs that are not drawn may be missed: where
+  /// --cull back was asked for, and otherwise where a picture lacks some of them.
+  [[nodiscard]] std::optional<std::string> note_on_culling();
+
   /// The picture as it is seen, on the panel if there is one.
   [[nodiscard]] Picture picture(const Frame& frame);
 
@@ -29,6 +34,8 @@ class Studio {
   void name_textures();
   void read_textures();
   [[nodiscard]] FrameRequest request(const View& view, const SceneLight& light) const;
+  /// Whether a picture from one of four sides of a turntable, or the still one, shows less for its culling.
+  [[nodiscard]] bool culling_shows();
   /// A depth of the picture by the planes that were asked for.
   [[nodiscard]] std::uint32_t stated_depth(std::uint32_t depth, const FrameRequest& request) const;
 
@@ -38,6 +45,7 @@ class Studio {
   View view_;
   SceneLight light_;
   World world_;
+  SurfaceEdges edges_;
   std::optional<FrameRenderer> renderer_;
   std::optional<DeskPanel> panel_;
   PartTextures textures_;

@@ -84,7 +84,7 @@ class Viewer {
     const View view = orbit_.view();
     const auto start = std::chrono::steady_clock::now();
     request_ = make_request(arguments, shading, view, world_, resolve_light({}, {}, std::nullopt, view));
-    if (shading.textured) request_.textures = textures_.of_part();
+    if (shows_textures(shading, scene_)) request_.textures = textures_.of_part();
     const Frame frame = renderer_->draw(request_);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
     window_.show(frame.pixels);

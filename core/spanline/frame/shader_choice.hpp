@@ -147,7 +147,7 @@ struct ShaderSet {
     return has_effects && shader == general;
   }
   [[nodiscard]] static bool under_relief(const Mesh& mesh, const Material& material) {
-    return material.relief.heights != nullptr && !mesh.texture_coordinates.empty();
+    return material.lit && material.relief.heights != nullptr && !mesh.texture_coordinates.empty();
   }
   /// Whether vertices have opacities of their own, and there is a shader for them: others say so, or draw ids.
   [[nodiscard]] static bool varying_opacity(const Mesh& mesh) {
@@ -172,7 +172,7 @@ struct ShaderSet {
     needs.volume = material.volume.source != SolidSource::none;
     const bool mapped = has_textures && material.texturing.lies_on(mesh);
     needs.textured = has_textures && (mapped || needs.relief || needs.volume);
-    needs.local_light = material.shines() || point_lights;
+    needs.local_light = material.shines() || (material.lit && point_lights);
     const bool texels_have_alpha = mapped && has_alpha(material.texturing);
     needs.holes = texels_have_alpha && material.texturing.alpha == TexelAlpha::cut_out;
     needs.varies = varying_opacity(mesh) || (texels_have_alpha && !needs.holes);

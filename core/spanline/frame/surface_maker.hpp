@@ -49,7 +49,7 @@ class SurfaceMaker {
     shading.colour = LitColour::from(material.colour);
     describe(mesh, transform, material, needs, camera, number, store, pools);
     set_layering(material, number, shading);
-    set_lights(lighting_, transform, shading);
+    if (material.lit) set_lights(lighting_, transform, shading);  // others have full ambient light
     if (!store.shades.empty()) shade(mesh, material, needs, number, pools, store.shades.data());
   }
   void set_layering([[maybe_unused]] const Material& material, [[maybe_unused]] Link number,

@@ -91,6 +91,9 @@ struct Material {
   TextureMatrix texture_matrix{};
   std::uint8_t opacity = 255;  ///< α in 255ths; blending rounds it to 32nds and patterns to 64ths
   Transparency transparency = Transparency::blend;
+  /// Where it is false, colours and textures are shown as they are: the frame's lights, highlights and relief do
+  /// nothing to the surface, and its normals are not looked at.
+  bool lit = true;
   /// What the surface adds to its lit colour where it mirrors a light: specular · Σ intensity · (R·V)^shininess
   /// (lecture 003); black: nothing. For renderers with `LocalFlatShader` (shade/local_flat.hpp).
   Rgb888 specular{0, 0, 0};
@@ -98,7 +101,7 @@ struct Material {
   Volume volume{};              ///< for renderers with `VolumeShader`
   Relief relief{};              ///< of meshes with texture coordinates; for renderers with `ReliefShader`
 
-  [[nodiscard]] constexpr bool shines() const { return !(specular == Rgb888{0, 0, 0}); }
+  [[nodiscard]] constexpr bool shines() const { return lit && !(specular == Rgb888{0, 0, 0}); }
 };
 
 }  // namespace spanline

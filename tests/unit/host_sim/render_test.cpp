@@ -82,6 +82,57 @@ TEST_F(RenderTest, ATextureLiesUprightOnTheModel) {
   }
 }
 
+TEST_F(RenderTest, WithoutLightATextureIsShownAsItIs) {
+  const std::string model = make_file("a.obj", textured_square());
+  const std::string texture = make_file("t.png", png_bytes(numbered_picture(16, 32)));
+  const std::vector<std::string> dark{"--ortho",       "2",        "--size",     "64x64",     "--eye",
+                                      "0,0,3",         "--target", "0,0,0",      "--light",   "0,0,-1",
+                                      "--point-light", "0,0,-2",   "--specular", "1",         "--ambient",
+                                      "0.1",           "--shade",  "unlit",      "--texture", texture};
+  for (const char* visibility : {"zbuffer", "scanline-z", "span"}) {
+    const Picture picture = render(model, with(dark, {"--visibility", visibility}));
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 64; ++x)
+        ASSERT_LE(greatest_difference(picture.at(x, y), {static_cast<std::uint8_t>(x / 4 * 8),
+                                                         static_cast<std::uint8_t>(y / 2 * 8), 255}),
+                  8)
+            << visibility << " " << x << ", " << y;
+  }
+  const Picture plain = render(model, dark);
+  EXPECT_NE(render(model, with(dark, {"--filter", "bilinear"})), plain);
+}
+
+TEST_F(RenderTest, WithoutLightAModelKeepsItsOwnTextureAndColour) {
+  make_file("t.png", png_bytes(numbered_picture(8, 8)));
+  make_file("a.mtl", "newmtl a\nKd 1 0.5 1\nmap_Kd t.png\n");
+  const std::string model = make_file("a.obj", "mtllib a.mtl\nusemtl a\n" + textured_square());
+  const std::vector<std::string> view{"--ortho", "2", "--size", "64x64", "--eye", "0,0,3", "--target", "0,0,0"};
+  const Picture unlit = render(model, with(view, {"--shade", "unlit", "--light", "0,0,-1", "--ambient", "0"}));
+  EXPECT_EQ(unlit, render(model, with(view, {"--shade", "texture", "--ambient", "1"})));
+  const Rgb888 texel = unlit.at(60, 60);
+  EXPECT_NEAR(texel.red, 7 * 8, 8);
+  EXPECT_NEAR(texel.green, 7 * 4, 8);
+  // Two texels a pixel: levels hold their means.
+  const std::vector<std::string> far_off{"--ortho", "32", "--size", "64x64", "--eye", "0,0,3", "--target", "0,0,0"};
+  EXPECT_NE(render(model, with(far_off, {"--shade", "unlit", "--mipmap"})),
+            render(model, with(far_off, {"--shade", "unlit"})));
+}
+
+TEST_F(RenderTest, OptionsOfTexturesWithoutOneAreRefusedWithoutLightToo) {
+  const std::string model = make_file("a.obj", cube_obj()), square = make_file("b.obj", textured_square());
+  const std::string texture = make_file("t.png", png_bytes(numbered_picture(8, 8)));
+  const auto before = files();
+  expect_refused(run({"render", model, "-o", in_folder("o.png"), "--shade", "unlit", "--filter", "bilinear"}), 2,
+                 before);
+  expect_refused(run({"render", square, "-o", in_folder("o.png"), "--shade", "unlit", "--mipmap"}), 2, before);
+  // A shading by light alone would leave the texture out in silence.
+  for (const std::string shade : {"flat", "gouraud"}) {
+    const ToolRun result = run({"render", square, "-o", in_folder("o.png"), "--shade", shade, "--texture", texture});
+    expect_refused(result, 2, before);
+    EXPECT_NE(result.errors.find("--texture"), std::string::npos) << result.errors;
+  }
+}
+
 TEST_F(RenderTest, TexturesThatCannotBeAreRefusedByName) {
   const std::string model = make_file("a.obj", textured_square()), bare = make_file("b.obj", cube_obj());
   const std::string good = make_file("good.png", png_bytes(numbered_picture(8, 8)));

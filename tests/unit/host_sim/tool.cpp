@@ -46,14 +46,23 @@ std::string ToolTest::make_file(const std::string& name, const std::string& cont
 }
 
 ToolRun ToolTest::run(const std::vector<std::string>& arguments) const {
+  std::vector<std::string> words{SPANLINE_COMMAND};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return execute(words, false);
+}
+
+ToolRun ToolTest::shell(const std::string& line) const {
+  return execute({"/bin/sh", "-c", std::string("SPANLINE='") + SPANLINE_COMMAND + "'; " + line}, true);
+}
+
+ToolRun ToolTest::execute(std::vector<std::string> words, bool in_own_folder) const {
   // Beside the folder, so that the streams are not among its files.
   const std::string out = folder_.string() + ".out", err = folder_.string() + ".err";
   const pid_t child = fork();
   if (child == 0) {
     dup2(open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
     dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
-    std::vector<std::string> words{SPANLINE_COMMAND};
-    words.insert(words.end(), arguments.begin(), arguments.end());
+    if (in_own_folder && chdir(folder_.c_str()) != 0) _exit(127);
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);

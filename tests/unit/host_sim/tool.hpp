@@ -32,6 +32,8 @@ class ToolTest : public ::testing::Test {
   std::string make_file(const std::string& name, const std::string& content) const;
   /// Runs the command with these arguments.
   [[nodiscard]] ToolRun run(const std::vector<std::string>& arguments) const;
+  /// Runs a line of the shell in the folder; "$SPANLINE" is the command.
+  [[nodiscard]] ToolRun shell(const std::string& line) const;
   /// Names in the folder, temporary ones included.
   [[nodiscard]] std::vector<std::string> files() const;
 
@@ -39,6 +41,9 @@ class ToolTest : public ::testing::Test {
   void expect_refused(const ToolRun& run, int exit_code, const std::vector<std::string>& files_before) const;
 
  private:
+  /// Runs a program with these words, the first its path, in the folder or where the test runs.
+  [[nodiscard]] ToolRun execute(std::vector<std::string> words, bool in_own_folder) const;
+
   std::filesystem::path folder_;
 };
 

@@ -17,6 +17,14 @@
 
 namespace spanline {
 
+namespace texel_light {
+/// An intensity as the 16-bit value whose top 6 bits are the level.
+[[nodiscard]] constexpr std::uint32_t value(Intensity intensity) { return intensity * 33 >> 6; }
+[[nodiscard]] inline bool plain(const Material& material) {
+  return material.texturing.function == TextureFunction::modulate && material.colour == Rgb888{255, 255, 255};
+}
+}  // namespace texel_light
+
 /// Light of texels: none, a level a polygon, or a level interpolated between the vertices. Levels are 32nds;
 /// 65535/65536 of full light is 32.
 struct NoTexelLight {
@@ -33,19 +41,11 @@ struct NoTexelLight {
 
   static constexpr bool interpolates = false, fogged = false;
   [[nodiscard]] static bool serves(const Material& material) {
-    return material.texturing.function == TextureFunction::replace;
+    return material.texturing.function == TextureFunction::replace || (!material.lit && texel_light::plain(material));
   }
   template <class Gradients>
   void make(const ShadingGroup&, const PolygonCorners&, const Gradients&) {}
 };
-
-namespace texel_light {
-/// An intensity as the 16-bit value whose top 6 bits are the level.
-[[nodiscard]] constexpr std::uint32_t value(Intensity intensity) { return intensity * 33 >> 6; }
-[[nodiscard]] inline bool plain(const Material& material) {
-  return material.texturing.function == TextureFunction::modulate && material.colour == Rgb888{255, 255, 255};
-}
-}  // namespace texel_light
 
 struct FlatTexelLight {
   struct Stepper {
