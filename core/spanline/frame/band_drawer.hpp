@@ -19,22 +19,27 @@ namespace spanline {
 /// A finished band of lines, as the sink gets it.
 template <class Pixel, class DepthWord>
 struct Band {
-  std::int32_t y0, y1;               ///< lines [y0, y1) of the picture
+  std::int32_t y0;                   ///< its first line in the picture, [0, height)
+  std::int32_t y1;                   ///< the line behind its last, (y0, height]
   std::span<Pixel> pixels;           ///< line by line, width · (y1 − y0)
   std::span<const DepthWord> depth;  ///< parallel to the pixels; empty where the algorithm keeps none
   unsigned buffer;                   ///< which of the drawer's colour bands holds it, counted from 0
 };
 
 /// Which bands of a frame somebody draws; bands count from 0 at the top.
-enum class BandShare : std::uint8_t { all, even, odd };
+enum class BandShare : std::uint8_t {
+  all,   ///< a renderer alone
+  even,  ///< a renderer with a partner: 0, 2, 4, …
+  odd,   ///< the partner: 1, 3, 5, …
+};
 
 /// What a frame shows, as its bands are drawn from it.
 template <class Pixel>
 struct BandScene {
-  PolygonTable& table;  ///< spanning takes its buckets apart
-  std::span<const ShadingGroup> shading;
-  Pixel background;
-  VisibilityCounters* counters;
+  PolygonTable& table;                    ///< spanning takes its buckets apart
+  std::span<const ShadingGroup> shading;  ///< one a group of the table
+  Pixel background;                       ///< where no polygon is
+  VisibilityCounters* counters;           ///< written where the traits count
 };
 
 /// A sink behind which hardware fills memory while the core goes on. `fill(value, count, words)` starts it, two at a
@@ -55,18 +60,20 @@ concept FillingSink = requires(Sink& sink, Word* depth, Pixel* pixels, Word valu
 template <class Traits>
 class BandDrawer {
  public:
-  using DepthWord = typename Traits::Depth::Word;
-  using Pixel = typename Traits::Format::Pixel;
-  using BandView = Band<Pixel, DepthWord>;
-  using Scene = BandScene<Pixel>;
+  using DepthWord = typename Traits::Depth::Word;  ///< of the depth buffer
+  using Pixel = typename Traits::Format::Pixel;    ///< a word of the pixel format
+  using BandView = Band<Pixel, DepthWord>;         ///< what a sink gets
+  using Scene = BandScene<Pixel>;                  ///< what bands are drawn from
+  /// The visibility algorithm.
   using Visibility = typename Traits::Visibility::template Algorithm<typename Traits::Depth, Pixel,
                                                                      typename Traits::Shaders, Traits::statistics>;
   static_assert(VisibilityAlgorithm<Visibility, Arena, Capacity>);
 
+  /// Its part of the caller's memory.
   struct Pools {
-    typename Visibility::Memory visibility;
-    std::span<DepthWord> depth;  ///< all bands
-    std::span<Pixel> colour;     ///< all bands
+    typename Visibility::Memory visibility;  ///< the algorithm's
+    std::span<DepthWord> depth;              ///< all bands
+    std::span<Pixel> colour;                 ///< all bands
 
     /// Words from one band to the next: each begins as the arena would let it begin.
     template <class Word>
@@ -74,6 +81,7 @@ class BandDrawer {
       constexpr std::size_t words_a_step = std::max<std::size_t>(Arena::alignment / sizeof(Word), 1);
       return (std::size_t{c.width} * c.band_lines + words_a_step - 1) / words_a_step * words_a_step;
     }
+    /// Cuts them out of an arena.
     constexpr void take(Arena& arena, const Capacity& c) {
       visibility.take(arena, c);
       const std::size_t depth_size =
@@ -83,7 +91,9 @@ class BandDrawer {
     }
   };
 
+  /// Nothing to draw with, until another is assigned.
   BandDrawer() = default;
+  /// Draws pictures of this capacity in these pools.
   BandDrawer(const Capacity& capacity, const Pools& pools)
       : capacity_(capacity), pools_(pools), visibility_(pools.visibility) {}
 
@@ -107,10 +117,12 @@ class BandDrawer {
 
   // The steps of `draw`.
 
+  /// Begins a frame, or somebody's share of one.
   void start(BandShare share) {
     share_ = share;
     visibility_.begin_frame();
   }
+  /// Whether a band belongs to the share.
   [[nodiscard]] bool draws(std::uint32_t band) const {
     return share_ == BandShare::all || (band & 1) == (share_ == BandShare::odd ? 1u : 0u);
   }
@@ -120,6 +132,7 @@ class BandDrawer {
     visibility_.skip_band(scene.table, scene.shading, static_cast<std::int32_t>(band), viewport(),
                           {nullptr, nullptr, capacity_.width, y0 + row_bias, end_line(y0) + row_bias, {}});
   }
+  /// Prepares a band's colour and depth as the algorithm wants them.
   void clear_band(const Scene& scene, std::uint32_t band) {
     visibility_.clear(target(scene, band, band_view(band)),
                       [](auto value, std::uint32_t count, auto* words) { fill_constant(value, count, words); });
@@ -135,6 +148,7 @@ class BandDrawer {
   }
   /// Nothing has been cleared ahead.
   void forget_clears() { cleared_ = none; }
+  /// Draws a band that was cleared, and tells the sink of covered triangles where the traits count.
   template <class Sink>
   BandView draw_band(const Scene& scene, std::uint32_t band, Sink& sink) {
     const BandView view = band_view(band);
@@ -144,6 +158,7 @@ class BandDrawer {
                           });
     return view;
   }
+  /// Ends the frame, and says what has run full.
   Status end(const Scene& scene) {
     forget_clears();
     first_buffer_ = static_cast<std::uint8_t>(buffer_of(capacity_.bands()));
@@ -161,8 +176,11 @@ class BandDrawer {
     if (start >= pools_.colour.size()) return {};
     return pools_.colour.subspan(start, std::size_t{capacity_.width} * capacity_.band_lines);
   }
+  /// The sizes that it was made for.
   [[nodiscard]] const Capacity& capacity() const { return capacity_; }
+  /// Its memory.
   [[nodiscard]] const Pools& pools() const { return pools_; }
+  /// The algorithm, for what it has counted.
   [[nodiscard]] const Visibility& visibility() const { return visibility_; }
 
  private:

@@ -1,4 +1,21 @@
 #pragma once
+/// @file
+/// Frames that two cores share.
+///
+/// ```cpp
+/// template <class Traits, class Sink>
+/// Status first_core(Renderer<Traits>& renderer, BandPartner<Traits>& partner, const FrameSettings& settings,
+///                   const Mesh& mesh, Sink&& sink) {
+///   if (const Status begun = renderer.begin(settings); !begun.ok()) return begun;
+///   if (const Status added = renderer.add(mesh, {}, {}); !added.ok()) return added;
+///   partner.take_frame();  // and now the other core is told to draw
+///   return renderer.draw_even(sink);
+/// }
+/// template <class Traits, class Sink>
+/// Status second_core(BandPartner<Traits>& partner, Sink&& sink) {
+///   return partner.draw_odd(sink);
+/// }
+/// ```
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -13,19 +30,14 @@ namespace spanline {
 /// Draws the odd bands of a renderer's frames, for a second core: both draw at a time from one polygon table, and the
 /// picture has the bytes that the renderer alone would give it, as long as no pool runs full.
 ///
-///     renderer.begin(settings); renderer.add(…);   // one core
-///     partner.take_frame();                        // the same core, behind the last add
-///     renderer.draw_even(sink);                    // one core, while
-///     partner.draw_odd(other_sink);                // the other does this
-///
 /// Each core hands over its own bands; who puts them on a display in order has to wait for both. The renderer starts
 /// no frame before both have returned. What a core has written by `take_frame` must be visible to the other one (a
 /// barrier, and no cache between them).
 template <class Traits>
 class BandPartner {
  public:
-  using Drawer = BandDrawer<Traits>;
-  using Pixel = typename Drawer::Pixel;
+  using Drawer = BandDrawer<Traits>;     ///< what draws its bands
+  using Pixel = typename Drawer::Pixel;  ///< a word of the pixel format
 
   /// Bytes of the caller's memory, alignment included: a second set of bands, and where the algorithm takes the polygon
   /// table's buckets apart a copy of them.
@@ -53,6 +65,7 @@ class BandPartner {
     buckets_ = pools.buckets;
   }
 
+  /// Whether it can draw.
   [[nodiscard]] Status status() const { return status_; }
 
   /// Takes over the frame that the renderer holds, before either draws.

@@ -17,22 +17,23 @@ namespace spanline {
 /// A frame's memory but for its bands, in the order in which the arena cuts it, and how much of it is taken.
 template <class Traits>
 struct FramePools {
-  using Set = ShaderSet<Traits>;
+  using Set = ShaderSet<Traits>;  ///< what the list of shaders asks for
 
-  std::span<PolygonGroup> groups;
-  std::span<ShadingGroup> shading;
-  std::span<std::uint16_t> ramps;
-  std::span<ScreenVertex> vertices;
-  std::span<std::uint32_t> shades;
-  std::span<TextureVertex> textures;
-  std::span<std::int32_t> third_coordinates;
-  std::span<TexturedGroup> textured;
-  std::span<PixelwiseGroup> pixelwise;
-  std::span<LocalLighting> local_lights;
-  std::span<PolygonReference> references;
-  std::span<FanTriangle> fans;
-  std::span<Link> buckets;
+  std::span<PolygonGroup> groups;             ///< one an instance, for visibility
+  std::span<ShadingGroup> shading;            ///< one an instance, for shaders
+  std::span<std::uint16_t> ramps;             ///< gouraud::ramp_size pixels an instance, for smooth shading
+  std::span<ScreenVertex> vertices;           ///< of all instances, and what clipping adds
+  std::span<std::uint32_t> shades;            ///< of smooth instances' vertices
+  std::span<TextureVertex> textures;          ///< of textured instances' vertices
+  std::span<std::int32_t> third_coordinates;  ///< beside `textures`, for solids
+  std::span<TexturedGroup> textured;          ///< one an instance, for shaders of textures and local light
+  std::span<PixelwiseGroup> pixelwise;        ///< one an instance, for reliefs and solids
+  std::span<LocalLighting> local_lights;      ///< one an instance, for point lights and highlights
+  std::span<PolygonReference> references;     ///< the polygon table
+  std::span<FanTriangle> fans;                ///< pieces of clipped polygons and of those with many corners
+  std::span<Link> buckets;                    ///< where the polygons of each band begin
 
+  /// Cuts them out of an arena.
   constexpr void take(Arena& arena, const Capacity& c) {
     groups = arena.take<PolygonGroup>(c.instances);
     shading = arena.take<ShadingGroup>(c.instances);
@@ -57,11 +58,18 @@ struct FramePools {
 
   /// How much of the pools the frame has taken.
   struct Used {
-    std::uint32_t vertices = 0, shades = 0, textures = 0, ids = 0;
-    std::uint32_t instances_wanted = 0, vertices_wanted = 0, shades_wanted = 0, textures_wanted = 0,
-                  polygons_wanted = 0, fans_wanted = 0;  ///< and not found
+    std::uint32_t vertices = 0;          ///< entries
+    std::uint32_t shades = 0;            ///< entries
+    std::uint32_t textures = 0;          ///< entries
+    std::uint32_t ids = 0;               ///< triangles that have been numbered
+    std::uint32_t instances_wanted = 0;  ///< entries that were asked for and not found, as of the following
+    std::uint32_t vertices_wanted = 0;   ///< entries not found
+    std::uint32_t shades_wanted = 0;     ///< entries not found
+    std::uint32_t textures_wanted = 0;   ///< entries not found
+    std::uint32_t polygons_wanted = 0;   ///< entries not found
+    std::uint32_t fans_wanted = 0;       ///< entries not found
   };
-  Used used;
+  Used used;  ///< by the frame so far
 
   /// Room for a group.
   Status reserve_group(std::uint32_t groups_taken) {

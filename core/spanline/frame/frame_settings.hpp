@@ -1,4 +1,13 @@
 #pragma once
+/// @file
+/// What a frame shows besides its instances.
+///
+/// ```cpp
+/// FrameSettings settings;
+/// settings.camera.look_at({{}, 2.0_q16, 5.0_q16}, {}, {{}, 1.0_q30, {}});
+/// settings.background = {20, 24, 40};
+/// const Status begun = renderer.begin(settings);
+/// ```
 #include <cstdint>
 
 #include "spanline/geometry/polygon_assembly.hpp"
@@ -12,13 +21,13 @@ namespace spanline {
 
 /// What a frame shows besides its instances.
 struct FrameSettings {
-  Camera camera{};
-  Lighting lighting{};
-  Rgb888 background{0, 0, 0};
-  Cull cull = Cull::back;
-  std::uint8_t stipple_seed = 0;  ///< [0, 127]: of materials that are seen through by random patterns
-  Fog fog{};                      ///< for renderers with the general shader
-  bool dither = false;            ///< ordered dither, likewise
+  Camera camera{};                ///< the eye; at the world's origin by default
+  Lighting lighting{};            ///< fully lit by default
+  Rgb888 background{0, 0, 0};     ///< where no polygon is; black by default
+  Cull cull = Cull::back;         ///< which sides are left out; the back by default
+  std::uint8_t stipple_seed = 0;  ///< of materials seen through by random patterns: [0, 127], 0 by default
+  Fog fog{};                      ///< for renderers with the general shader or one for fog; none by default
+  bool dither = false;            ///< ordered dither, for renderers with the general shader; off by default
 };
 
 }  // namespace spanline

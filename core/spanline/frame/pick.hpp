@@ -1,4 +1,19 @@
 #pragma once
+/// @file
+/// What is seen at a pixel.
+///
+/// ```cpp
+/// #include <spanline/frame/ready_made_traits.hpp>
+///
+/// using Ids = Renderer<IdTraits<Counted>>;
+///
+/// /// 1 + the number of the triangle at (x, y), or 0.
+/// std::uint32_t triangle_at(Ids& ids, const FrameSettings& settings, const Mesh& mesh, int x, int y) {
+///   Picked<Ids::Depth> picked;
+///   if (!ids.begin(settings).ok() || !ids.add(mesh, {}, {}).ok()) return 0;
+///   return pick(ids, x, y, picked).ok() ? picked.id : 0;
+/// }
+/// ```
 #include <cstddef>
 #include <cstdint>
 
@@ -13,6 +28,7 @@ struct Picked {
   std::uint32_t depth = 0;  ///< the depth integer in the format's sense; that of the clear value for the background
 };
 
+/// What `pick` is made of.
 namespace pick_detail {
 
 /// Draws nothing of use; notes one pixel and ends the frame behind it.

@@ -1,4 +1,15 @@
 #pragma once
+/// @file
+/// Traits that most programs want, by what they draw.
+///
+/// ```cpp
+/// #include <spanline/frame/renderer.hpp>
+///
+/// using Plain = Renderer<FlatTraits<Rgb565Swapped>>;                   // high byte first, as SPI displays take it
+/// using Smooth = Renderer<GouraudTraits<Rgb565, Depth24<>>>;           // 24 bits of depth
+/// using Frugal = Renderer<GouraudTraits<Rgb565, Depth24<>, Spanning>>;  // no depth buffer
+/// using Everything = Renderer<GeneralSeeThroughTraits<>>;
+/// ```
 #include "spanline/frame/traits.hpp"
 #include "spanline/model/material.hpp"
 #include "spanline/pixel/pixel_format.hpp"

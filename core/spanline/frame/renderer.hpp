@@ -1,4 +1,22 @@
 #pragma once
+/// @file
+/// The renderer.
+///
+/// ```cpp
+/// #include <spanline/frame/ready_made_traits.hpp>
+///
+/// using Picture = Renderer<FlatTraits<>>;
+/// constexpr Capacity size{.width = 320, .height = 240, .vertices = 8, .polygons = 6, .fans = 6, .active = 6};
+/// alignas(8) static std::byte memory[Picture::bytes_needed(size)];
+///
+/// template <class Send>
+/// Status draw(const FrameSettings& settings, const Mesh& mesh, Send&& send) {
+///   Picture renderer(size, memory);
+///   if (const Status begun = renderer.begin(settings); !begun.ok()) return begun;
+///   if (const Status added = renderer.add(mesh, {}, {.colour = {240, 160, 60}}); !added.ok()) return added;
+///   return renderer.draw([&](const auto& band) { return send(band.y0, band.y1, band.pixels); });
+/// }
+/// ```
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -28,27 +46,23 @@ class BandPartner;
 
 /// Numbers of a frame (design: the lectures' sets P, F, B; and what visibility did, where the traits count it).
 struct Statistics {
-  PolygonCounts polygons;
-  VisibilityCounters visibility;
+  PolygonCounts polygons;         ///< how many there were, and how many were left out
+  VisibilityCounters visibility;  ///< what the algorithm did; zeros where the traits do not count
 };
 
 /// The front door: takes a frame's instances, then draws it band by band.
-///
-///     Renderer<FlatTraits<>> renderer(capacity, memory);
-///     renderer.begin(settings);
-///     renderer.add(mesh, transform, material);   // as many as there are
-///     renderer.draw([&](const auto& band) { send(band); return true; });
 ///
 /// It owns no memory: `bytes_needed` bytes are the caller's, and so are the tables of meshes and lights, which must
 /// stay until `draw` has returned. Nothing is allocated. The order of submission settles ties.
 template <class Traits>
 class Renderer {
  public:
-  using Depth = typename Traits::Depth;
-  using DepthWord = typename Depth::Word;
-  using Format = typename Traits::Format;
-  using Pixel = typename Format::Pixel;
-  using Shaders = typename Traits::Shaders;
+  using Depth = typename Traits::Depth;      ///< the format of depths
+  using DepthWord = typename Depth::Word;    ///< of the depth buffer
+  using Format = typename Traits::Format;    ///< the pixel format
+  using Pixel = typename Format::Pixel;      ///< a word of it
+  using Shaders = typename Traits::Shaders;  ///< the list of shaders
+  /// What a sink gets: a Band of these words.
   using BandView = typename BandDrawer<Traits>::BandView;
 
   /// Bytes that a configuration takes of the caller's memory, alignment included.
@@ -86,6 +100,7 @@ class Renderer {
     bucket_of_row_ = BandOfRow(Visibility::bucket_lines(capacity));
   }
 
+  /// Whether the memory was enough and the capacity in its ranges.
   [[nodiscard]] Status status() const { return status_; }
 
   /// Starts a frame. Fails for a camera whose planes or focal length are out of range, and draws nothing then.
@@ -162,6 +177,7 @@ class Renderer {
     static constexpr Material opaque{};  // made once, not by each caller
     return add_screen(vertices, colours, opaque);
   }
+  /// The same with the opacity and the transparency of a material.
   Status add_screen(std::span<const ScreenVertex> vertices, std::span<const std::uint16_t> colours,
                     const Material& material) {
     if (!ready_) return status_.ok() ? Status{Fault::bad_settings, Pool::none, 0} : status_;
@@ -208,11 +224,14 @@ class Renderer {
   /// The steps of `draw`, for programs with a loop of their own (benchmarks): start, then for each band in order clear
   /// and draw, then end.
   void start_bands() { drawer_.start(BandShare::all); }
+  /// Prepares a band, [0, `capacity().bands()`).
   void clear_band(std::uint32_t band) { drawer_.clear_band(scene(), band); }
+  /// Draws a band that was cleared. The sink is told of covered triangles alone.
   template <class Sink>
   BandView draw_band(std::uint32_t band, Sink& sink) {
     return drawer_.draw_band(scene(), band, sink);
   }
+  /// Ends the frame, and says what has run full.
   Status end_bands() {
     note_peaks();
     return drawer_.end(scene());
@@ -221,9 +240,11 @@ class Renderer {
   /// The memory of a colour band, counted from 0, for present loops that hand it to a display; empty where the band
   /// does not exist. Frames use them in turn; with three and more the next frame goes on where the last one ended.
   [[nodiscard]] std::span<Pixel> colour_band(unsigned buffer) const { return drawer_.colour_band(buffer); }
+  /// Numbers of the frame so far, complete behind `draw`.
   [[nodiscard]] const Statistics& statistics() const { return statistics_; }
-  /// Of the last frame that was drawn.
+  /// Bytes of each pool that the last frame took.
   [[nodiscard]] const PoolPeaks& peaks() const { return peaks_; }
+  /// The sizes that it was made for.
   [[nodiscard]] const Capacity& capacity() const { return drawer_.capacity(); }
 
  private:

@@ -24,12 +24,14 @@ namespace spanline {
 /// The shader that makes the colours of one that is seen through; others themselves.
 template <class Shader>
 struct ColourShaderOf {
-  using type = Shader;
+  using type = Shader;  ///< itself
 };
+/// Of those that are seen through.
 template <SeeThrough Shader>
 struct ColourShaderOf<Shader> {
-  using type = typename Shader::Inner;
+  using type = typename Shader::Inner;  ///< the one within
 };
+/// The same as a type.
 template <class Shader>
 using ColourShader = typename ColourShaderOf<Shader>::type;
 
@@ -53,14 +55,15 @@ concept Translucent = SeeThrough<Shader> && requires {
 
 /// What of a mesh, its material and the frame decides which shader serves.
 struct SurfaceNeeds {
-  bool vertex_colours = false, textured = false;
-  bool effects = false;      ///< fog or dither
-  bool varies = false;       ///< the opacity, over a polygon
-  bool local_light = false;  ///< point lights or highlights (shade/local_light.hpp)
-  bool relief = false;       ///< bump mapping or embossing (shade/relief.hpp)
-  bool volume = false;       ///< a solid (shade/volume.hpp)
-  bool dither = false;       ///< of the effects
-  bool holes = false;        ///< texels that are not there
+  bool vertex_colours = false;  ///< the mesh has colours of its own
+  bool textured = false;        ///< by coordinates of its vertices
+  bool effects = false;         ///< fog or dither
+  bool varies = false;          ///< the opacity, over a polygon
+  bool local_light = false;     ///< point lights or highlights (shade/local_light.hpp)
+  bool relief = false;          ///< bump mapping or embossing (shade/relief.hpp)
+  bool volume = false;          ///< a solid (shade/volume.hpp)
+  bool dither = false;          ///< of the effects
+  bool holes = false;           ///< texels that are not there
 };
 
 /// Whether a shader serves a material, but for its opacity.
@@ -118,24 +121,34 @@ template <class Traits>
 /// What a renderer's list of shaders has, and so what its frames need.
 template <class Traits>
 struct ShaderSet {
-  using Shaders = typename Traits::Shaders;
-  using Format = typename Traits::Format;
+  using Shaders = typename Traits::Shaders;  ///< the list
+  using Format = typename Traits::Format;    ///< the pixel format that they are for
 
+  /// The places of shaders with all effects; the list's `count` where there is none.
   static constexpr std::uint8_t general = Shaders::template index_of<GeneralShader<Format>>,
                                 translucent = Shaders::first([]<class Shader>() { return Translucent<Shader>; });
+  /// Whether ids are drawn instead of colours.
   static constexpr bool has_ids = Shaders::template index_of<IdShader> < Shaders::count;
+  /// Whether opacities may vary over a polygon.
   static constexpr bool has_translucent = translucent < Shaders::count;
+  /// Whether groups have ramps of pixels.
   static constexpr bool has_ramps = Shaders::template index_of<GouraudShader<Format>> < Shaders::count;
+  /// Whether vertices have shades.
   static constexpr bool has_shades =
       has_ramps || has_translucent || Shaders::template index_of<GouraudColourShader<Format>> < Shaders::count;
+  /// Whether textures are drawn.
   static constexpr bool has_textures =
       Shaders::first([]<class Shader>() { return DrawsTextures<ColourShader<Shader>>; }) < Shaders::count;
+  /// Whether reliefs are drawn.
   static constexpr bool has_relief = Shaders::first([]<class Shader>() {
                                        return std::is_same_v<ColourShader<Shader>, ReliefShader<Format>>;
                                      }) < Shaders::count;
+  /// Whether solids are drawn.
   static constexpr bool has_volumes =
       Shaders::first([]<class Shader>() { return DrawsVolumes<ColourShader<Shader>>; }) < Shaders::count;
+  /// Whether any shader works out its pixels one by one.
   static constexpr bool has_pixelwise = has_relief || has_volumes;
+  /// Whether fog or dither is drawn.
   static constexpr bool has_effects =
       general < Shaders::count || has_translucent || has_pixelwise ||
       Shaders::first([]<class Shader>() { return Fogged<ColourShader<Shader>>; }) < Shaders::count;
@@ -146,6 +159,7 @@ struct ShaderSet {
     }
     return has_effects && shader == general;
   }
+  /// Whether a material has a relief, and the mesh the coordinates for it.
   [[nodiscard]] static bool under_relief(const Mesh& mesh, const Material& material) {
     return material.lit && material.relief.heights != nullptr && !mesh.texture_coordinates.empty();
   }
@@ -154,11 +168,14 @@ struct ShaderSet {
     if constexpr (has_ids) return false;
     return !mesh.vertex_opacities.empty();
   }
+  /// What the shades of a mesh's vertices are.
   [[nodiscard]] static vertex_shade::Kind kind_of_shades(const Mesh& mesh, const Material& material) {
     if (has_translucent && varying_opacity(mesh)) return vertex_shade::Kind::colour_and_opacity;
     return shade_kind(mesh, material);
   }
+  /// Whether point lights and highlights are drawn.
   static constexpr bool has_local_light = Shaders::template index_of<LocalFlatShader<Format>> < Shaders::count;
+  /// Whether a mesh's vertices want shades.
   [[nodiscard]] static bool needs_shades(const Mesh& mesh, const Material& material) {
     if (has_translucent && varying_opacity(mesh)) return true;
     return has_shades && material.shading == ShadingMode::gouraud;

@@ -20,6 +20,7 @@ class SurfaceMaker {
   using Format = typename Traits::Format;
 
  public:
+  /// Keeps of a frame's settings what surfaces want.
   void begin(const FrameSettings& settings) {
     lighting_ = settings.lighting;
     stipple_seed_ = settings.stipple_seed;
@@ -52,6 +53,7 @@ class SurfaceMaker {
     if (material.lit) set_lights(lighting_, transform, shading);  // others have full ambient light
     if (!store.shades.empty()) shade(mesh, material, needs, number, pools, store.shades.data());
   }
+  /// Says how a group shows what lies behind it, where the list has shaders that do.
   void set_layering([[maybe_unused]] const Material& material, [[maybe_unused]] Link number,
                     [[maybe_unused]] ShadingGroup& shading) const {
     if constexpr (Traits::Shaders::see_through) shading.layering = layering_of(material, number, stipple_seed_);

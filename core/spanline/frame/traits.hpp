@@ -1,4 +1,17 @@
 #pragma once
+/// @file
+/// What renderers are made of.
+///
+/// ```cpp
+/// #include <spanline/frame/renderer.hpp>
+/// #include <spanline/pixel/pixel_format.hpp>
+/// #include <spanline/shade/light/flat.hpp>
+/// #include <spanline/visibility/span/spanning_scan_line.hpp>
+///
+/// using Shaders = ShaderList<FlatShader<Rgb565>>;
+/// using Plain = Renderer<RendererTraits<Rgb565, Shaders>>;  // a z-buffer of 16 bits
+/// using Spans = Renderer<RendererTraits<Rgb565, Shaders, Depth24<>, Spanning>>;
+/// ```
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +25,7 @@ namespace spanline {
 /// covers a pixel centre. It costs time, so that a program asks for it.
 struct Counted {};
 
-/// A format of depths: Depth16<…> or Depth24<…>.
+/// A format of depths: `Depth16<…>` or `Depth24<…>`.
 template <class Option>
 concept DepthOption = requires(std::uint32_t plane_word, typename Option::Word kept) {
   { Option::bits } -> std::convertible_to<int>;
@@ -25,8 +38,8 @@ template <template <class, class, class, bool> class>
 struct AnAlgorithm;
 }  // namespace traits_options
 
-/// A choice of visibility algorithm, by its member template Algorithm<Depth, Pixel, Shaders, counts>: ZBuffer,
-/// BoundedZBuffer, Deferred<…> or Spanning.
+/// A choice of visibility algorithm, by its member template `Algorithm<Depth, Pixel, Shaders, counts>`:
+/// `ZBuffer`, `BoundedZBuffer`, `Deferred<…>` or `Spanning`.
 template <class Option>
 concept VisibilityOption = requires {
   typename traits_options::AnAlgorithm<Option::template Algorithm>;
@@ -82,7 +95,7 @@ struct Chosen {
 template <class PixelFormat, class ShaderListT, class DepthFormatT, class VisibilityT, bool IsCounted>
 struct Traits {
   using Format = PixelFormat;                    ///< Rgb565, Rgb565Swapped or PolygonIds
-  using Shaders = ShaderListT;                   ///< ShaderList<…>
+  using Shaders = ShaderListT;                   ///< a ShaderList
   using Depth = DepthFormatT;                    ///< a DepthOption
   using Visibility = VisibilityT;                ///< a VisibilityOption
   static constexpr bool statistics = IsCounted;  ///< whether Counted is among the options

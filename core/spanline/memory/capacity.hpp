@@ -1,4 +1,15 @@
 #pragma once
+/// @file
+/// What a renderer takes of memory.
+///
+/// ```cpp
+/// #include <spanline/frame/ready_made_traits.hpp>
+/// #include <spanline/frame/renderer.hpp>
+///
+/// // A cube: 8 vertices, 6 faces of two triangles each, of which 3 face the eye.
+/// constexpr Capacity size{.width = 160, .height = 128, .vertices = 8, .polygons = 6, .fans = 6, .active = 6};
+/// static_assert(Renderer<FlatTraits<>>::bytes_needed(size) < 20 * 1024);
+/// ```
 #include <cstddef>
 #include <cstdint>
 
@@ -22,9 +33,11 @@ struct Capacity {
   std::uint32_t layers = 0;  ///< renderers with see-through shaders. z-buffers: fragments of a band whose colours mix
                              ///< with those behind. Spanning: see-through polygons awake on a row
 
+  /// How many bands a picture has.
   [[nodiscard]] constexpr std::uint32_t bands() const {
     return band_lines == 0 ? 0 : (height + band_lines - 1u) / band_lines;
   }
+  /// Whether sizes and numbers of bands are in their ranges.
   [[nodiscard]] constexpr bool valid() const {
     return width >= 1 && width <= 2047 && height >= 1 && height <= 2047 && band_lines >= 1 && band_lines <= height &&
            colour_bands >= 1 && colour_bands <= 16 && (depth_bands == 1 || depth_bands == 2);
@@ -33,8 +46,18 @@ struct Capacity {
 
 /// Bytes in use at most, pool by pool.
 struct PoolPeaks {
-  std::size_t instances = 0, vertices = 0, shades = 0, textures = 0, polygons = 0, fans = 0, active = 0, layers = 0,
-              buckets = 0, colour_bands = 0, depth_band = 0;
+  std::size_t instances = 0;     ///< bytes of `Capacity::instances`
+  std::size_t vertices = 0;      ///< bytes of `Capacity::vertices`
+  std::size_t shades = 0;        ///< bytes of `Capacity::shades`
+  std::size_t textures = 0;      ///< bytes of `Capacity::textures`
+  std::size_t polygons = 0;      ///< bytes of `Capacity::polygons`
+  std::size_t fans = 0;          ///< bytes of `Capacity::fans`
+  std::size_t active = 0;        ///< bytes of `Capacity::active`
+  std::size_t layers = 0;        ///< bytes of `Capacity::layers`
+  std::size_t buckets = 0;       ///< bytes of the table in which polygons are sorted by their first row
+  std::size_t colour_bands = 0;  ///< bytes of all bands of pixels
+  std::size_t depth_band = 0;    ///< bytes of all bands of depths, and what an algorithm keeps a band
+  /// Bytes of all of them.
   [[nodiscard]] constexpr std::size_t total() const {
     return instances + vertices + shades + textures + polygons + fans + active + layers + buckets + colour_bands +
            depth_band;

@@ -1,11 +1,25 @@
 #pragma once
+/// @file
+/// The eye of a frame.
+///
+/// ```cpp
+/// Camera camera;
+/// camera.look_at({{}, 2.0_q16, 5.0_q16}, {}, {{}, 1.0_q30, {}});   // from where, at what, and what is up
+/// camera.focal = Camera::focal_for(Angle::from_degrees(45), 240);  // of a picture 240 pixels high
+/// camera.near_plane = 1.0_q16;
+/// camera.far_plane = 20.0_q16;
+/// ```
 #include <cstdint>
 
 #include "spanline/math/matrix.hpp"
 
 namespace spanline {
 
-enum class Projection : std::uint8_t { perspective, orthographic };
+/// How the world comes to the screen.
+enum class Projection : std::uint8_t {
+  perspective,   ///< what is farther away is smaller
+  orthographic,  ///< everything at one scale
+};
 
 /// The eye: right-handed, y up, looking along −z of its own axes, as in OpenGL.
 ///
@@ -13,13 +27,14 @@ enum class Projection : std::uint8_t { perspective, orthographic };
 /// "Depth Test Precision"), and (2ᴺ − 1)·(z − n)/(f − n) for an orthographic one; z is the distance along the axis of
 /// view.
 struct Camera {
-  Projection projection = Projection::perspective;
-  Position eye{};
-  Rotation axes{};  ///< rows: right, up, backwards (towards the viewer), world space
-  /// Perspective: focal length in pixels, (height / 2) / tan(fov / 2). Orthographic: pixels a world unit. (0, 32767).
+  Projection projection = Projection::perspective;  ///< perspective by default
+  Position eye{};   ///< where it is: world units, Q16.16, (−32768, 32768); the origin by default
+  Rotation axes{};  ///< rows of Q2.30: right, up, backwards (towards the viewer), world space; the world's by default
+  /// Perspective: focal length in pixels, (height / 2) / tan(fov / 2). Orthographic: pixels a world unit. Q16.16,
+  /// (0, 32767); 240 by default, which is 53° over 240 lines.
   Q16_16 focal = Q16_16::from_int(240);
-  Q16_16 near_plane = Q16_16::from_ratio(1, 10);  ///< world units, > 0 for perspective, < far_plane
-  Q16_16 far_plane = Q16_16::from_int(100);       ///< world units
+  Q16_16 near_plane = Q16_16::from_ratio(1, 10);  ///< world units, < far_plane; > 0 for perspective; 0.1 by default
+  Q16_16 far_plane = Q16_16::from_int(100);       ///< world units, (near_plane, 32768); 100 by default
 
   /// Turns the camera towards `target`; `up` need not be normal to the view, but must not be parallel to it.
   constexpr void look_at(Position from, Position target, Direction up) {

@@ -1,11 +1,21 @@
 #pragma once
+/// @file
+/// Colours as authors give them.
+///
+/// ```cpp
+/// constexpr Rgb888 orange{240, 160, 60};
+/// static_assert(widened(0xffff) == Rgb888{255, 255, 255});
+/// ```
 #include <cstdint>
 
 namespace spanline {
 
-/// A surface colour as authors give it, 8 bits a channel. Pixels are packed from it by a pixel format (shade/).
+/// A surface colour as authors give it, 8 bits a channel. Pixels are packed from it by a pixel format (pixel/).
 struct Rgb888 {
-  std::uint8_t red = 255, green = 255, blue = 255;
+  std::uint8_t red = 255;    ///< 0 … 255, all of it by default, as of the others
+  std::uint8_t green = 255;  ///< 0 … 255
+  std::uint8_t blue = 255;   ///< 0 … 255
+  /// Whether all channels are equal.
   friend constexpr bool operator==(Rgb888, Rgb888) = default;
 };
 

@@ -1,4 +1,14 @@
 #pragma once
+/// @file
+/// Fog of a frame, for renderers with the general shader or one for fog.
+///
+/// ```cpp
+/// #include <spanline/frame/frame_settings.hpp>
+///
+/// FrameSettings settings;
+/// settings.fog = {.curve = FogCurve::linear, .start = 5.0_q16, .end = 20.0_q16, .colour = {120, 130, 140}};
+/// settings.background = settings.fog.colour;
+/// ```
 #include <cstdint>
 
 #include "spanline/math/fixed.hpp"
@@ -8,16 +18,17 @@ namespace spanline {
 
 /// How fog thickens with the distance along the axis of view, between its start and its end.
 enum class FogCurve : std::uint8_t {
-  none,
+  none,         ///< no fog
   linear,       ///< evenly
   exponential,  ///< by a sixth of the way it halves what is left to be seen, scaled so that nothing is left at the end
 };
 
 /// Fog of a frame. The background is not fogged: it should have the fog's colour.
 struct Fog {
-  FogCurve curve = FogCurve::none;
-  Q16_16 start{}, end = Q16_16::from_int(1);  ///< world units, start < end
-  Rgb888 colour{};
+  FogCurve curve = FogCurve::none;   ///< none by default
+  Q16_16 start{};                    ///< nothing is fogged up to here: world units from the eye, [0, end); 0 by default
+  Q16_16 end = Q16_16::from_int(1);  ///< nothing is seen from here on: world units, (start, 32768); 1 by default
+  Rgb888 colour{};                   ///< white by default
 };
 
 }  // namespace spanline

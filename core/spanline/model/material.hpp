@@ -1,4 +1,14 @@
 #pragma once
+/// @file
+/// What surfaces look like.
+///
+/// ```cpp
+/// constexpr Material plain{.colour = {240, 160, 60}};
+/// constexpr Material glass{.colour = {90, 160, 200}, .shading = ShadingMode::gouraud, .opacity = 100};
+/// static constexpr std::uint16_t words[] = {0xffff, 0x0000, 0x0000, 0xffff};
+/// static constexpr Texture checks{.log2_width = 1, .log2_height = 1, .words = words};
+/// constexpr Material tiled{.texturing = {.texture = &checks, .filter = TextureFilter::bilinear}};
+/// ```
 #include <cstdint>
 
 #include "spanline/model/colour.hpp"
@@ -24,7 +34,11 @@ enum class TextureFunction : std::uint8_t {
   blend,     ///< Cf·(1 − Ct) + blend colour·Ct, channel by channel
 };
 
-enum class TextureFilter : std::uint8_t { nearest, bilinear };
+/// How a texture is read between its texels.
+enum class TextureFilter : std::uint8_t {
+  nearest,   ///< the texel that is nearest
+  bilinear,  ///< a mean of the four around, weighed by nearness
+};
 
 /// What the alpha of texels does to surfaces that are modulated, replaced or blended; decals mix by it.
 enum class TexelAlpha : std::uint8_t {
@@ -54,14 +68,14 @@ enum class TextureCoordinates : std::uint8_t {
 
 /// How a texture is laid on a surface.
 struct Texturing {
-  const Texture* texture = nullptr;  ///< null: none; must stay until the frame is drawn
-  TextureFunction function = TextureFunction::modulate;
-  TextureFilter filter = TextureFilter::nearest;
-  TextureMapping mapping = TextureMapping::perspective;
-  MipMapping mip_mapping = MipMapping::none;
-  TexelAlpha alpha = TexelAlpha::cut_out;
-  Rgb888 blend_colour{};  ///< of TextureFunction::blend
-  TextureCoordinates coordinates = TextureCoordinates::mesh;
+  const Texture* texture = nullptr;                           ///< null: none; must stay until the frame is drawn
+  TextureFunction function = TextureFunction::modulate;       ///< modulate by default
+  TextureFilter filter = TextureFilter::nearest;              ///< nearest by default
+  TextureMapping mapping = TextureMapping::perspective;       ///< perspective by default
+  MipMapping mip_mapping = MipMapping::none;                  ///< none by default
+  TexelAlpha alpha = TexelAlpha::cut_out;                     ///< cut_out by default; of formats with alpha alone
+  Rgb888 blend_colour{};                                      ///< of TextureFunction::blend; white by default
+  TextureCoordinates coordinates = TextureCoordinates::mesh;  ///< the mesh's own by default
 
   /// Whether a mesh has what its coordinates are made of.
   [[nodiscard]] bool lies_on(const Mesh& mesh) const {
@@ -85,22 +99,23 @@ enum class Transparency : std::uint8_t {
 
 /// What a surface looks like. Colours of the mesh, where it has them, replace `colour`.
 struct Material {
-  Rgb888 colour{};
-  ShadingMode shading = ShadingMode::flat;
-  Texturing texturing{};  ///< of meshes that it lies on; others are drawn without
-  TextureMatrix texture_matrix{};
-  std::uint8_t opacity = 255;  ///< α in 255ths; blending rounds it to 32nds and patterns to 64ths
-  Transparency transparency = Transparency::blend;
+  Rgb888 colour{};                          ///< white by default
+  ShadingMode shading = ShadingMode::flat;  ///< flat by default
+  Texturing texturing{};                    ///< of meshes that it lies on; others are drawn without
+  TextureMatrix texture_matrix{};           ///< changes the mesh's texture coordinates; leaves them by default
+  std::uint8_t opacity = 255;  ///< α in 255ths, 0 … 255, 255 by default; blending rounds it to 32nds, patterns to 64ths
+  Transparency transparency = Transparency::blend;  ///< blend by default
   /// Where it is false, colours and textures are shown as they are: the frame's lights, highlights and relief do
-  /// nothing to the surface, and its normals are not looked at.
+  /// nothing to the surface, and its normals are not looked at. True by default.
   bool lit = true;
   /// What the surface adds to its lit colour where it mirrors a light: specular · Σ intensity · (R·V)^shininess
-  /// (lecture 003); black: nothing. For renderers with `LocalFlatShader` (shade/local_flat.hpp).
+  /// (lecture 003); black, the default: nothing. For renderers with `LocalFlatShader` (shade/local_flat.hpp).
   Rgb888 specular{0, 0, 0};
-  std::uint8_t shininess = 32;  ///< [1, 128]
-  Volume volume{};              ///< for renderers with `VolumeShader`
-  Relief relief{};              ///< of meshes with texture coordinates; for renderers with `ReliefShader`
+  std::uint8_t shininess = 32;  ///< the exponent of highlights, [1, 128]; 32 by default
+  Volume volume{};              ///< for renderers with `VolumeShader`; none by default
+  Relief relief{};  ///< of meshes with texture coordinates; for renderers with `ReliefShader`; none by default
 
+  /// Whether it has highlights.
   [[nodiscard]] constexpr bool shines() const { return lit && !(specular == Rgb888{0, 0, 0}); }
 };
 

@@ -1,4 +1,21 @@
 #pragma once
+/// @file
+/// Meshes. `spanline convert` makes them of model files; small ones are written by hand.
+///
+/// ```cpp
+/// // A square of two world units, seen from +z: steps of 2^-8 units, a polygon of four corners.
+/// static constexpr Vertex16 corners[] = {{-256, -256, 0}, {256, -256, 0}, {256, 256, 0}, {-256, 256, 0}};
+/// static constexpr std::uint16_t indices[] = {0, 1, 2, 3};
+/// static constexpr std::uint8_t corner_counts[] = {4};
+/// static constexpr PackedNormal normals[] = {{0, 0, 511}};
+/// constexpr Mesh square{.vertices = corners,
+///                       .indices = indices,
+///                       .corners = corner_counts,
+///                       .polygon_normals = normals,
+///                       .step_exponent = -8,
+///                       .bounds = {{}, 363}};
+/// static_assert(square.triangle_count() == 2);
+/// ```
 #include <cstdint>
 #include <span>
 
@@ -11,26 +28,35 @@ namespace spanline {
 /// A model vertex in steps of the mesh: the world position is (vertex + offset) · 2^step_exponent.
 /// Sixteen bits a coordinate halve the flash, and their products fit the 32-bit multiplier of a Cortex-M0+.
 struct Vertex16 {
-  std::int16_t x, y, z;
+  std::int16_t x;  ///< steps of the mesh, any value
+  std::int16_t y;  ///< steps
+  std::int16_t z;  ///< steps
 };
 
 /// The wide form, for scenes that 65,536 steps cannot span; |coordinate| ≤ 2^30.
 struct Vertex32 {
-  std::int32_t x, y, z;
+  std::int32_t x;  ///< steps of the mesh, [−2^30, 2^30]
+  std::int32_t y;  ///< steps
+  std::int32_t z;  ///< steps
 };
 
 /// A unit normal in 32 bits: x, y, z as 10-bit signed numbers with 9 fraction bits (511 stands for 1), at bits 31…22,
 /// 21…12 and 11…2. Each component comes out by one or two shifts.
 class PackedNormal {
  public:
+  /// No direction: no light falls on it.
   constexpr PackedNormal() = default;
-  /// Components in [−511, 511].
+  /// Components in [−511, 511], 511 times those of the unit vector.
   constexpr PackedNormal(int x, int y, int z)
       : bits_((static_cast<std::uint32_t>(x & 1023) << 22) | (static_cast<std::uint32_t>(y & 1023) << 12) |
               (static_cast<std::uint32_t>(z & 1023) << 2)) {}
+  /// Components, 511 times those of the unit vector: [−511, 511].
   [[nodiscard]] constexpr std::int32_t x() const { return static_cast<std::int32_t>(bits_) >> 22; }
+  /// The same of y.
   [[nodiscard]] constexpr std::int32_t y() const { return static_cast<std::int32_t>(bits_ << 10) >> 22; }
+  /// The same of z.
   [[nodiscard]] constexpr std::int32_t z() const { return static_cast<std::int32_t>(bits_ << 20) >> 22; }
+  /// Whether all components are equal.
   friend constexpr bool operator==(PackedNormal, PackedNormal) = default;
 
  private:
@@ -39,8 +65,8 @@ class PackedNormal {
 
 /// A sphere around every vertex, in steps of the mesh and without its offset, as the vertices themselves.
 struct BoundingSphere {
-  Vec3<std::int32_t> centre{};
-  std::uint32_t radius = 0;  ///< steps, rounded up; at most 2^31 − 1
+  Vec3<std::int32_t> centre{};  ///< steps, [−2^30, 2^30]; the mesh's origin by default
+  std::uint32_t radius = 0;     ///< steps, rounded up; at most 2^31 − 1; 0 by default
 };
 
 /// A mesh as views over read-only tables, in flash as a rule. It owns nothing; `validate()` checks it once at load.
@@ -48,9 +74,9 @@ struct BoundingSphere {
 /// Polygons are triangles, or planar convex polygons of 3 … 8 corners, counter-clockwise when seen from the front.
 /// A polygon of n corners is drawn as the fan of triangles (0,1,2), (0,2,3) …, which are numbered in that order.
 struct Mesh {
-  static constexpr unsigned max_corners = 8;
-  static constexpr std::size_t max_vertices = 65535;
-  static constexpr std::size_t max_polygons = 32767;
+  static constexpr unsigned max_corners = 8;          ///< of a polygon
+  static constexpr std::size_t max_vertices = 65535;  ///< in the table
+  static constexpr std::size_t max_polygons = 32767;  ///< in the table
 
   std::span<const Vertex16> vertices{};       ///< the vertices, or empty if `wide_vertices` holds them
   std::span<const Vertex32> wide_vertices{};  ///< the vertices in their wide form, or empty
@@ -67,8 +93,9 @@ struct Mesh {
   Vec3<std::int32_t> offset{};         ///< steps, added to every vertex; |component| ≤ 2^30
   std::int8_t step_exponent = -13;     ///< world units a step are 2^step_exponent; [−30, 14]
   std::int8_t texture_exponent = -14;  ///< a unit of texture coordinates is 2^texture_exponent textures; [−20, −5]
-  BoundingSphere bounds{};
+  BoundingSphere bounds{};             ///< around all vertices: what is out of view is told by it alone
 
+  /// Vertices of whichever table there is.
   [[nodiscard]] constexpr std::size_t vertex_count() const {
     return vertices.empty() ? wide_vertices.size() : vertices.size();
   }
@@ -78,6 +105,7 @@ struct Mesh {
     const Vertex16 v = vertices[number];
     return {v.x, v.y, v.z};
   }
+  /// Polygons, whatever their corners.
   [[nodiscard]] constexpr std::size_t polygon_count() const {
     return corners.empty() ? indices.size() / 3 : corners.size();
   }
@@ -89,6 +117,7 @@ struct Mesh {
     for (std::size_t i = 0; i < polygon; ++i) first += corners[i];
     return first;
   }
+  /// Corners of a polygon.
   [[nodiscard]] constexpr unsigned corner_count(std::size_t polygon) const {
     return corners.empty() ? 3 : corners[polygon];
   }

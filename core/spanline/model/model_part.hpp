@@ -1,4 +1,19 @@
 #pragma once
+/// @file
+/// Models of several materials.
+///
+/// ```cpp
+/// #include <spanline/frame/ready_made_traits.hpp>
+/// #include <spanline/frame/renderer.hpp>
+///
+/// template <class Traits>
+/// Status add_all(Renderer<Traits>& renderer, std::span<const ModelPart> parts, const Transform& transform) {
+///   Status status;
+///   for (std::size_t i = 0; status.ok() && i < parts.size(); ++i)
+///     status = renderer.add(*parts[i].mesh, transform, parts[i].material);
+///   return status;
+/// }
+/// ```
 #include "spanline/model/material.hpp"
 #include "spanline/model/mesh.hpp"
 
@@ -6,11 +21,9 @@ namespace spanline {
 
 /// A piece of a model with a material of its own, as `spanline convert --materials` writes them: an array of these is a
 /// model.
-///
-///     for (const ModelPart& part : spanline_models::robot) renderer.add(*part.mesh, transform, part.material);
 struct ModelPart {
-  const Mesh* mesh = nullptr;
-  Material material{};
+  const Mesh* mesh = nullptr;  ///< must stay until the frame is drawn; null by default, which no renderer takes
+  Material material{};         ///< of the whole mesh
 };
 
 /// A part under a texture, or null for none. A constant of C++, whatever else a material has.

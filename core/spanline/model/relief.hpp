@@ -1,4 +1,15 @@
 #pragma once
+/// @file
+/// Bumps and embossing, for renderers with `ReliefShader`.
+///
+/// ```cpp
+/// #include <spanline/model/material.hpp>
+///
+/// static constexpr std::uint8_t heights[] = {0, 255, 255, 0};
+/// static constexpr HeightMap studs{.log2_width = 1, .log2_height = 1, .heights = heights};
+/// constexpr Material bumpy{.relief = {.heights = &studs, .depth = Fixed<16>::from_ratio(1, 2)}};
+/// static_assert(studs.valid());
+/// ```
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -11,9 +22,11 @@ namespace spanline {
 /// Heights over a surface: 2^log2_width × 2^log2_height bytes, row by row from the top, repeated both ways.
 struct HeightMap {
   static constexpr unsigned max_log2_size = 11;  ///< of a side
-  std::uint8_t log2_width = 0, log2_height = 0;
-  std::span<const std::uint8_t> heights{};
+  std::uint8_t log2_width = 0;                   ///< 0 … max_log2_size; 0 by default, a single texel
+  std::uint8_t log2_height = 0;                  ///< 0 … max_log2_size; 0 by default
+  std::span<const std::uint8_t> heights{};       ///< 0 … 255, 255 is the greatest height
 
+  /// Whether the sides are in their ranges and the table is long enough.
   [[nodiscard]] constexpr bool valid() const {
     return log2_width <= max_log2_size && log2_height <= max_log2_size &&
            heights.size() >= std::size_t{1} << (log2_width + log2_height);
@@ -39,9 +52,10 @@ enum class ReliefKind : std::uint8_t {
 /// to.
 struct Relief {
   const HeightMap* heights = nullptr;  ///< null: none; must stay until the frame is drawn
-  ReliefKind kind = ReliefKind::bump;
-  Fixed<16> depth = Fixed<16>::from_int(1);  ///< bump: what the greatest height stands for, in texels: (0, 64]
-  Angle turn = Angle::from_degrees(40);      ///< emboss: (0°, 90°)
+  ReliefKind kind = ReliefKind::bump;  ///< bump by default
+  /// Bump: what the greatest height stands for, texels, Q16.16, (0, 64]; 1 by default.
+  Fixed<16> depth = Fixed<16>::from_int(1);
+  Angle turn = Angle::from_degrees(40);  ///< emboss: (0°, 90°); 40° by default
 };
 
 }  // namespace spanline

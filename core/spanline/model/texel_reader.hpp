@@ -1,4 +1,12 @@
 #pragma once
+/// @file
+/// Texels one by one, of any format.
+///
+/// ```cpp
+/// constexpr std::uint16_t words[] = {0xffff, 0x0000, 0x0000, 0xffff};
+/// const Texture checks{.log2_width = 1, .log2_height = 1, .words = words};
+/// const Texel second = read_texel(checks, 1, 0);  // black, and alpha 15 since the format has none
+/// ```
 #include <cstddef>
 #include <cstdint>
 
@@ -8,8 +16,8 @@ namespace spanline {
 
 /// A texel of any format.
 struct Texel {
-  std::uint16_t rgb565;
-  std::uint8_t alpha;  ///< 0 … 15
+  std::uint16_t rgb565;  ///< its colour
+  std::uint8_t alpha;    ///< 0 … 15
 };
 
 /// Channels of 4 bits widened to RGB565 by repeating their upper bits.

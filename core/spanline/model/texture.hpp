@@ -1,4 +1,12 @@
 #pragma once
+/// @file
+/// Textures. `spanline convert` makes them of image files.
+///
+/// ```cpp
+/// static constexpr std::uint16_t words[] = {0xf800, 0x07e0, 0x001f, 0xffff};  // two by two texels of RGB565
+/// constexpr Texture tile{.log2_width = 1, .log2_height = 1, .words = words};
+/// if (validate(tile) != TextureFault::none) return;
+/// ```
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -17,7 +25,10 @@ enum class TexelFormat : std::uint8_t {
 };
 
 /// What lies beyond the edge of a texture, along one axis.
-enum class Wrap : std::uint8_t { repeat, clamp };
+enum class Wrap : std::uint8_t {
+  repeat,  ///< the texture again
+  clamp,   ///< its outermost texels
+};
 
 /// A texture as views over read-only tables, in flash as a rule. It owns nothing; `validate()` checks it once at load.
 ///
@@ -25,18 +36,21 @@ enum class Wrap : std::uint8_t { repeat, clamp };
 /// both sides down to 1, and follows the one before in the same table (lecture 004: a third more memory, in one block).
 /// Texture coordinates: s to the right and t downwards, 1 is one whole texture, texel centres at (i + ½) / size.
 struct Texture {
-  static constexpr unsigned max_log2_size = 11;    ///< of a side
-  static constexpr unsigned max_log2_texels = 20;  ///< of both together
-  static constexpr unsigned max_levels = max_log2_size + 1;
+  static constexpr unsigned max_log2_size = 11;              ///< of a side
+  static constexpr unsigned max_log2_texels = 20;            ///< of both together
+  static constexpr unsigned max_levels = max_log2_size + 1;  ///< of a mip pyramid
 
-  TexelFormat format = TexelFormat::rgb565;
-  std::uint8_t log2_width = 0, log2_height = 0;
-  std::uint8_t levels = 1;
-  Wrap wrap_s = Wrap::repeat, wrap_t = Wrap::repeat;
-  std::span<const std::uint16_t> words{};    ///< texels of the formats of a word
-  std::span<const std::uint8_t> bytes{};     ///< texels of the palette formats
+  TexelFormat format = TexelFormat::rgb565;  ///< rgb565 by default
+  std::uint8_t log2_width = 0;               ///< of level 0: 0 … max_log2_size; 0 by default, a single texel
+  std::uint8_t log2_height = 0;            ///< of level 0: 0 … max_log2_size, with the width max_log2_texels at most
+  std::uint8_t levels = 1;                 ///< 1, the default: no mip maps; at most down to a single texel
+  Wrap wrap_s = Wrap::repeat;              ///< to the left and to the right; repeat by default
+  Wrap wrap_t = Wrap::repeat;              ///< above and below; repeat by default
+  std::span<const std::uint16_t> words{};  ///< texels of the formats of a word
+  std::span<const std::uint8_t> bytes{};   ///< texels of the palette formats
   std::span<const std::uint16_t> palette{};  ///< RGB565, 16 or 256 of them, for the palette formats
 
+  /// Whether texels are numbers of colours.
   [[nodiscard]] constexpr bool has_palette() const {
     return format == TexelFormat::palette16 || format == TexelFormat::palette256;
   }
@@ -44,10 +58,11 @@ struct Texture {
   [[nodiscard]] constexpr bool has_alpha() const {
     return format == TexelFormat::rgb565_cutout || format == TexelFormat::argb4444;
   }
-  /// log2 of a level's sides.
+  /// log2 of a level's width, texels.
   [[nodiscard]] constexpr unsigned log2_width_of(unsigned level) const {
     return log2_width > level ? log2_width - level : 0;
   }
+  /// log2 of a level's height, texels.
   [[nodiscard]] constexpr unsigned log2_height_of(unsigned level) const {
     return log2_height > level ? log2_height - level : 0;
   }
@@ -66,22 +81,29 @@ struct Texture {
 
 /// A vertex's texture coordinates, in units of 2^texture_exponent of the mesh.
 struct TextureCoordinate {
-  std::int16_t s, t;
+  std::int16_t s;  ///< to the right
+  std::int16_t t;  ///< downwards
 };
 
 /// Texture coordinates after the texture matrix: 1 is one whole texture; |value| < 2,048.
 using TextureUnits = Fixed<20>;
 
-/// A texture matrix: s' = ss·s + st·t + s0, t' = ts·s + tt·t + t0. Entries below 2,048.
+/// A texture matrix: s' = ss·s + st·t + s0, t' = ts·s + tt·t + t0. Entries are Q16.16 and
+/// below 2,048 either way; by default coordinates stay as they are.
 struct TextureMatrix {
-  Q16_16 ss = Q16_16::from_int(1), st{}, s0{};
-  Q16_16 ts{}, tt = Q16_16::from_int(1), t0{};
+  Q16_16 ss = Q16_16::from_int(1);  ///< of s in s'; 1 by default
+  Q16_16 st{};                      ///< of t in s'; 0 by default
+  Q16_16 s0{};                      ///< added to s', textures; 0 by default
+  Q16_16 ts{};                      ///< of s in t'; 0 by default
+  Q16_16 tt = Q16_16::from_int(1);  ///< of t in t'; 1 by default
+  Q16_16 t0{};                      ///< added to t', textures; 0 by default
+  /// Whether all entries are equal.
   friend constexpr bool operator==(const TextureMatrix&, const TextureMatrix&) = default;
 };
 
 /// What is wrong with a texture.
 enum class TextureFault : std::uint8_t {
-  none,
+  none,           ///< nothing
   too_large,      ///< a side or the whole beyond the limits
   levels,         ///< none, or more than there are sizes
   texels_count,   ///< the table of the format is too short, or the other one is not empty

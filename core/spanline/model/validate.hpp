@@ -1,4 +1,12 @@
 #pragma once
+/// @file
+/// Checks of meshes, once at load; everything behind trusts what has passed.
+///
+/// ```cpp
+/// void check(const Mesh& mesh, void (*complain)(const char* fault, std::uint32_t at)) {
+///   if (const MeshReport report = validate(mesh); !report.ok()) complain(to_string(report.fault), report.at);
+/// }
+/// ```
 #include <cstdint>
 
 #include "spanline/model/mesh.hpp"
@@ -7,7 +15,7 @@ namespace spanline {
 
 /// What is wrong with a mesh.
 enum class MeshFault : std::uint8_t {
-  none,
+  none,                       ///< nothing
   no_vertices,                ///< neither vertex table holds anything
   two_vertex_tables,          ///< both vertex tables hold something
   too_many_vertices,          ///< more than Mesh::max_vertices
@@ -30,8 +38,9 @@ enum class MeshFault : std::uint8_t {
 
 /// The first fault of a mesh and where it stands: `at` is an index into the table that the fault names.
 struct [[nodiscard]] MeshReport {
-  MeshFault fault = MeshFault::none;
-  std::uint32_t at = 0;
+  MeshFault fault = MeshFault::none;  ///< the first that was found
+  std::uint32_t at = 0;               ///< where in the table that it names; 0 for faults of whole tables
+  /// Whether nothing is wrong.
   [[nodiscard]] constexpr bool ok() const { return fault == MeshFault::none; }
 };
 
