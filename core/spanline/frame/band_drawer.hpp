@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <span>
 
+#include "spanline/cpu/fill_constant.hpp"
 #include "spanline/frame/status.hpp"
 #include "spanline/memory/arena.hpp"
 #include "spanline/memory/capacity.hpp"
-#include "spanline/pixel/fill_constant.hpp"
 #include "spanline/raster/polygon_table.hpp"
 #include "spanline/shade/shading_group.hpp"
 #include "spanline/visibility/algorithm.hpp"

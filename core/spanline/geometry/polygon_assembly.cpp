@@ -1,13 +1,8 @@
 #include "spanline/geometry/polygon_assembly.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cstddef>
 
-#if defined(__ARM_FEATURE_SIMD32)
-#include <arm_acle.h>
-#endif
-
+#include "spanline/cpu/triangle_area.hpp"
 #include "spanline/geometry/vertex_store.hpp"
 #include "spanline/geometry/vertex_transform.hpp"
 #include "spanline/model/cull.hpp"
@@ -16,48 +11,8 @@
 namespace spanline {
 namespace {
 
-/// Twice the signed area on screen, y down: negative where the corners run counter-clockwise for the viewer.
-template <class Wide>
-inline Wide signed_area(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c) {
-  const Wide dx1 = b.x - a.x, dy1 = b.y - a.y, dx2 = c.x - a.x, dy2 = c.y - a.y;
-  return dx1 * dy2 - dx2 * dy1;
-}
-
-/// A vertex's position in one word: x in the low half, y in the high one.
-[[maybe_unused]] inline std::uint32_t position(const ScreenVertex& v) {
-  static_assert(std::endian::native == std::endian::little && offsetof(ScreenVertex, y) == 2);
-  using Word [[gnu::may_alias]] = const std::uint32_t;
-  return *reinterpret_cast<Word*>(&v);
-}
-
-/// Its upper half, where it is at hand.
-inline std::int32_t biased_y(const ScreenVertex& v) {
-#if defined(__ARM_FEATURE_SIMD32) || defined(__ARM_ARCH_6M__)
-  return signed_word(position(v) >> 16);
-#else
-  return v.y;
-#endif
-}
-
-/// As signed_area, for coordinates that lie within 2,047 pixels of each other.
-inline std::int32_t narrow_area(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c) {
-#if defined(__ARM_FEATURE_SIMD32)
-  const auto from_a = [&](const ScreenVertex& v) {
-    return __ssub16(signed_word(position(v)), signed_word(position(a)));
-  };
-  return __smusdx(from_a(b), from_a(c));
-#elif defined(__ARM_ARCH_6M__)
-  // Fewer loads and addresses: a difference of words is 65,536·dy + dx.
-  const std::uint32_t d1 = position(b) - position(a), d2 = position(c) - position(a);
-  const std::int32_t dx1 = static_cast<std::int16_t>(d1), dx2 = static_cast<std::int16_t>(d2);
-  const std::int32_t dy1 = signed_word(d1 - word(dx1)) >> 16, dy2 = signed_word(d2 - word(dx2)) >> 16;
-  return dx1 * dy2 - dx2 * dy1;
-#else
-  return signed_area<std::int32_t>(a, b, c);
-#endif
-}
-
-/// Its sign. Inside the viewport (at most 2,047 pixels) 32 bits hold the products; in the guard band they do not.
+/// The sign of twice the signed area on screen. Inside the viewport (at most 2,047 pixels) 32 bits hold the products;
+/// in the guard band they do not.
 template <bool Scissored>
 inline std::int32_t orientation(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c) {
   constexpr std::uint32_t leaves = outcode_left | outcode_right | outcode_top | outcode_bottom;

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <span>
 
+#include "spanline/cpu/vertex_constants.hpp"
 #include "spanline/geometry/projection.hpp"
 #include "spanline/geometry/view_space.hpp"
 #include "spanline/model/mesh.hpp"
@@ -25,22 +26,7 @@ class VertexTransform {
   void run(std::span<const Vertex16> vertices, ScreenVertex* out, bool with_outcodes) const;
 
  private:
-  template <bool WithOutcodes>
-  void run_all(std::span<const Vertex16> vertices, ScreenVertex* out) const;
-
-  std::int32_t x_[3], y_[3];  ///< focal · view x and −y, units of 2^-x_shift; wraps modulo 2^32
-  std::int32_t tx_, ty_;
-  std::int32_t z_[3];  ///< distance, < 2^29: entries with 14 fraction bits
-  std::int32_t tz_;
-  std::int32_t shift_;         ///< of (x >> 15)·reciprocal to sixteenths, at full normalisation
-  std::uint32_t depth_scale_;  ///< n·f/(f − n) · (2^N − 1), normalised to [2^31, 2^32)
-  std::int32_t depth_shift_;
-  std::uint32_t depth_base_;          ///< f/(f − n) · (2^N − 1) · 2^(27 − N), with the rounding half
-  std::int32_t depth_fraction_;       ///< 27 − N
-  std::int32_t centre_x_, centre_y_;  ///< biased sixteenths
-  std::int32_t right_, bottom_;       ///< biased sixteenths
-  std::int32_t nearest_, farthest_;
-  int depth_bits_;
+  VertexConstants constants_;
 };
 
 /// All vertices by way of view space: any mesh, any placement.

@@ -60,15 +60,6 @@ concept SurfaceInCertainBlocks = SurfaceInBlocks<S> && requires(const S& surface
   { surface.source(column) } -> PixelSource;
 };
 
-/// One whose pixels are words of a table, at ((u >> 16) & mask_u) + ((v >> 12) & mask_v): loops in assembly know it.
-template <class S>
-concept TableSurface = SurfaceInCertainBlocks<S> && requires(const S& s) {
-  { s.texels.table[0] } -> std::convertible_to<std::uint32_t>;
-  { s.texels.mask_u + s.texels.mask_v } -> std::convertible_to<std::uint32_t>;
-  { s.source(0).coordinates.du } -> std::convertible_to<std::uint32_t>;
-  requires S::plain_texels;
-};
-
 /// Goes through the blocks of a run of `count` ≥ 1 pixels: part(column, block, into, pixels) for those that the run
 /// cuts, `into` columns of which lie before it; whole(column, blocks, count) for whole ones. False, with nothing done,
 /// where the surface cannot give them.

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "spanline/pixel/fill_constant.hpp"
+#include "spanline/cpu/fill_constant.hpp"
 #include "spanline/raster/span.hpp"
 #include "spanline/raster/surface_blocks.hpp"
 

@@ -2,6 +2,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "spanline/cpu/texel_table.hpp"
+#include "spanline/cpu/texture_steps.hpp"
+
 #if defined(__ARM_ARCH_6M__)
 namespace spanline::armv6m {
 
@@ -33,11 +36,9 @@ struct TexelRun {
   /// Draws whole blocks and goes behind them.
   [[gnu::always_inline]] void draw_blocks(const void* blocks, std::uint32_t count);
   /// Draws a block's last 1 … 15 pixels and goes behind them.
-  template <class Block, class Steps>
-  [[gnu::always_inline]] void draw_rightwards(const Block& block, const Steps& at_first, std::uint32_t into);
+  [[gnu::always_inline]] void draw_rightwards(const TextureBlock& block, std::uint32_t into);
   /// Draws a block's first 1 … 15 pixels from right to left. Ends a run: it is no more where it was.
-  template <class Block, class Steps>
-  [[gnu::always_inline]] void draw_leftwards(const Block& block, const Steps& at_last, std::uint32_t count);
+  [[gnu::always_inline]] void draw_leftwards(const TextureBlock& block, std::uint32_t count);
 
  private:
   /// Where pixel `number` of the straight code begins: 17 instructions for each, and two for each bend.
@@ -230,8 +231,10 @@ inline void TexelRun::draw_blocks(const void* blocks, std::uint32_t count) {
   draw_whole_blocks();
 }
 
-template <class Block, class Steps>
-inline void TexelRun::draw_rightwards(const Block& block, const Steps& at_first, std::uint32_t into) {
+inline void TexelRun::draw_rightwards(const TextureBlock& block, std::uint32_t into) {
+  TextureSteps at_first;
+  at_first.restart(block);
+  at_first.skip(into, block);
   part = {at_first.du, at_first.dv, block.ddu, block.ddv, at_first.u, at_first.v, entry_at(into)};
   depth -= into;
   pixels -= into;
@@ -239,12 +242,50 @@ inline void TexelRun::draw_rightwards(const Block& block, const Steps& at_first,
 }
 
 // The gains are those of going right: what is taken from a step is added to its negative.
-template <class Block, class Steps>
-inline void TexelRun::draw_leftwards(const Block& block, const Steps& at_last, std::uint32_t count) {
+inline void TexelRun::draw_leftwards(const TextureBlock& block, std::uint32_t count) {
+  TextureSteps at_last;
+  at_last.restart(block);
+  at_last.skip(count - 1, block);
   part = {0u - at_last.du, 0u - at_last.dv, block.ddu, block.ddv, at_last.u, at_last.v, entry_at(16 - count)};
   z += (count - 1) * dz;
   dz = 0u - dz;
   draw_part_leftwards();
+}
+
+/// A run whose blocks the surface can give some at a time; false, with nothing drawn, where it cannot. What these loops
+/// cannot take goes to `Portable`, a BlockRun: the middle of one block, and whole blocks whose depths do not begin at a
+/// word's address.
+template <class Portable, TableSurface Surface>
+[[gnu::always_inline]] inline bool texel_run(std::uint16_t* depth, std::uint16_t* pixels, std::uint32_t count,
+                                             std::uint32_t z, std::uint32_t dz, const Surface& surface,
+                                             std::int32_t first) {
+  const TexelTable table = surface.texel_table();
+  TexelRun at;  // what it draws is set with each
+  at.depth = depth;
+  at.pixels = pixels;
+  at.z = z;
+  at.texels = table.words;
+  at.dz = dz;
+  at.mask_u = 2 * table.mask_u;
+  at.mask_v = 2 * table.mask_v;
+  return for_certain_blocks(
+      surface, first, count,
+      [&](std::int32_t column, const TextureBlock& block, std::uint32_t into, std::uint32_t in_block)
+          __attribute__((always_inline)) {
+            if (into == 0)
+              at.draw_leftwards(block, in_block);
+            else if (into + in_block == 16)
+              at.draw_rightwards(block, into);
+            else  // and that is all of the run
+              Portable::part(depth, pixels, z, dz, surface, column, block, into, in_block);
+          },
+      [&](std::int32_t column, const TextureBlock* blocks, std::uint32_t some) __attribute__((always_inline)) {
+        if ((reinterpret_cast<std::uintptr_t>(at.depth) & 3) == 0) return at.draw_blocks(blocks, some);
+        Portable::whole_blocks(at.depth, at.pixels, at.z, dz, surface, column, blocks, some);
+        at.depth += 16 * some;
+        at.pixels += 16 * some;
+        at.z += 16 * some * dz;
+      });
 }
 
 }  // namespace spanline::armv6m

@@ -2,7 +2,7 @@
 #include "spanline/cpu/texture_block_maker.hpp"
 
 #if defined(__ARM_ARCH_6M__)
-namespace spanline {
+namespace spanline::armv6m {
 
 // clang-format off
 // One axis: r0 the block, r1 seed, r3 correction, r4 bow. Output: its start.
@@ -32,8 +32,9 @@ namespace spanline {
   "asrs r7, r7, #4\n\t"                                                        \
   "stmia r0!, {r5, r7}\n\t"
 
-inline void BlockMaker::make() {
-  register BlockMaker* self __asm__("r0") = this;
+/// As portable::make_texture_blocks.
+[[gnu::always_inline]] inline void make_texture_blocks(TextureBlockMaker& maker) {
+  register TextureBlockMaker* self __asm__("r0") = &maker;
   // r8 w, r9 and r10 u and v, r11 and r12 where they come from, r14 the step of u. On the stack: shifts, the step of
   // v, fall, end, seeds 256 entries before their first, upper fall, where `out` is kept.
   __asm__ volatile(".syntax unified\n\t"
@@ -100,5 +101,5 @@ inline void BlockMaker::make() {
 #undef SPANLINE_AXIS
 // clang-format on
 
-}  // namespace spanline
+}  // namespace spanline::armv6m
 #endif

@@ -2,7 +2,7 @@
 #include "spanline/cpu/texture_block_maker.hpp"
 
 #if defined(__thumb2__)
-namespace spanline {
+namespace spanline::thumb2 {
 
 // clang-format off
 // One axis: r0 bow, r6 the block.
@@ -64,8 +64,9 @@ namespace spanline {
   "beq " end "\n\t"                                                            \
   "subs r8, r8, r0\n\t"
 
-inline void BlockMaker::make() {
-  register BlockMaker* self __asm__("r0") = this;
+/// As portable::make_texture_blocks.
+[[gnu::always_inline]] inline void make_texture_blocks(TextureBlockMaker& maker) {
+  register TextureBlockMaker* self __asm__("r0") = &maker;
   // r8, r9, r10 w, u and v; r7 and r14 shifts; on the stack: seeds, upper fall, steps, fall, end.
   __asm__ volatile(".syntax unified\n\t"
                    "ldmia r0!, {r8, r9, r10, r11, r12}\n\t"
@@ -98,5 +99,5 @@ inline void BlockMaker::make() {
 #undef SPANLINE_MAKE
 // clang-format on
 
-}  // namespace spanline
+}  // namespace spanline::thumb2
 #endif

@@ -2,41 +2,17 @@
 
 #include <cstddef>
 
-#include "spanline/cpu/armv6m/texture_blocks.hpp"
-#include "spanline/cpu/thumb2/texture_blocks.hpp"
+#include "spanline/cpu/make_texture_blocks.hpp"
 #include "spanline/shade/texture/texture_blocks.hpp"
-#include "spanline/shade/texture/texture_chords.hpp"
-#include "spanline/shade/texture/texture_reciprocal.hpp"
+#include "spanline/shade/texture/texture_range.hpp"
 
 namespace spanline {
 
-using namespace texture_chords;
+using namespace texture_range;
 
 namespace {
 constexpr std::int32_t block_columns = TextureBlocks::block_columns;
 }
-
-#if !defined(__ARM_ARCH_6M__) && !defined(__thumb2__)
-inline void BlockMaker::make() {
-  BlockMaker at = *this;  // in registers: for all that the compiler knows, a block may lie over this object
-  do {
-    const TextureReciprocal inverse = TextureReciprocal::of(at.w);
-    const std::uint32_t to_u = inverse.share(at.u) >> at.shift_u, to_v = inverse.share(at.v) >> at.shift_v;
-    const std::int32_t bow = inverse.bow(at.upper_fall);
-    set_chords(at.from_u, to_u, bow, at.out->u, at.out->du, at.out->ddu);
-    set_chords(at.from_v, to_v, bow, at.out->v, at.out->dv, at.out->ddv);
-    ++at.out;
-    at.from_u = to_u;
-    at.from_v = to_v;
-    at.w -= at.fall;
-    at.u += at.du;
-    at.v += at.dv;
-  } while (at.out != at.end && signed_word(at.w) < 0);
-  from_u = at.from_u;
-  from_v = at.from_v;
-  out = at.out;
-}
-#endif
 
 [[gnu::always_inline]] inline void CertainBlocks::normalise(int zeros, std::uint32_t w, std::uint32_t u,
                                                             std::uint32_t v) {
@@ -58,7 +34,7 @@ inline void BlockMaker::make() {
   maker_.out = blocks_;
   maker_.end = blocks_ + count_;
   for (;;) {
-    maker_.make();
+    make_texture_blocks(maker_);
     if (maker_.out == maker_.end) return;
     normalise_behind(made_ + static_cast<std::uint32_t>(maker_.out - blocks_));
   }

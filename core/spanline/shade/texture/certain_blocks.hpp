@@ -37,7 +37,7 @@ class CertainBlocks {
   std::uint32_t w_, u_, v_;       ///< at the end of the first block. Affine: coordinates at the start of the next
   std::uint32_t fall_, du_, dv_;  ///< of w, and steps of u and v, a block. Affine: a column
   std::uint32_t made_ = 0;        ///< blocks before those at hand
-  BlockMaker maker_;
+  TextureBlockMaker maker_;
   TextureBlock blocks_[most];
 };
 

@@ -1,8 +1,8 @@
 #pragma once
-#include <algorithm>
 #include <array>
 #include <cstdint>
 
+#include "spanline/cpu/clamp_to_bits.hpp"
 #include "spanline/math/bits.hpp"
 #include "spanline/pixel/pixel_format.hpp"
 #include "spanline/pixel/spread_565.hpp"
@@ -11,10 +11,6 @@
 #include "spanline/shade/general/frame_effects.hpp"
 #include "spanline/shade/shading_group.hpp"
 #include "spanline/shade/texture/texture_shader.hpp"
-
-#if defined(__ARM_FEATURE_SAT)
-#include <arm_acle.h>
-#endif
 
 namespace spanline {
 
@@ -125,13 +121,7 @@ struct FoggedTexelLight {
 
  private:
   /// [0, 1) of a signed value in Q28.
-  [[nodiscard]] static std::uint32_t in_28_bits(std::uint32_t value) {
-#if defined(__ARM_FEATURE_SAT)
-    return __usat(signed_word(value), 28);
-#else
-    return word(std::clamp<std::int32_t>(signed_word(value), 0, (1 << 28) - 1));
-#endif
-  }
+  [[nodiscard]] static std::uint32_t in_28_bits(std::uint32_t value) { return clamp_to_bits<28>(signed_word(value)); }
   /// Through values of 20 bits at the corners. Where it is too steep for a block's end, the polygon, which is a column
   /// or two wide, has one value.
   template <class Gradients>

@@ -1,11 +1,12 @@
 #include "spanline/shade/texture/texture_blocks.hpp"
 
-#include "spanline/shade/texture/texture_chords.hpp"
-#include "spanline/shade/texture/texture_reciprocal.hpp"
+#include "spanline/cpu/texture_chords.hpp"
+#include "spanline/cpu/texture_reciprocal.hpp"
+#include "spanline/shade/texture/texture_range.hpp"
 
 namespace spanline {
 
-using namespace texture_chords;
+using namespace texture_range;
 
 TextureBlocks::TextureBlocks(const TexturePlane& plane, std::int32_t column) : plane_(plane), column_(column) {
   if (plane.way == TexturePlane::Way::affine) {

@@ -2,11 +2,9 @@
 #include <array>
 #include <cstdint>
 
-#include "spanline/cpu/texture_block_maker.hpp"
+#include "spanline/cpu/texture_steps.hpp"
 #include "spanline/math/bits.hpp"
 #include "spanline/shade/texture/texture_plane.hpp"
-#include "spanline/shade/texture/texture_reciprocal.hpp"
-#include "spanline/shade/texture/texture_steps.hpp"
 
 namespace spanline {
 

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "spanline/cpu/texel_table.hpp"
+#include "spanline/cpu/texture_steps.hpp"
 #include "spanline/pixel/spread_565.hpp"
 #include "spanline/raster/linear_function.hpp"
 #include "spanline/raster/polygon_corners.hpp"
@@ -13,7 +15,6 @@
 #include "spanline/shade/texture/mip_texels.hpp"
 #include "spanline/shade/texture/nearest_texels.hpp"
 #include "spanline/shade/texture/texture_blocks.hpp"
-#include "spanline/shade/texture/texture_steps.hpp"
 
 namespace spanline {
 
@@ -181,7 +182,7 @@ struct TextureShader {
   };
 
   struct Surface {
-    /// Pixels are texels as they are.
+    /// Pixels are the words of a table as they are.
     static constexpr bool plain_texels = std::is_same_v<Light, NoTexelLight> && !Texels::has_holes &&
                                          !Texels::in_bytes && !Texels::has_levels &&
                                          Format::from_rgb565(0x1234) == 0x1234;
@@ -203,6 +204,10 @@ struct TextureShader {
     /// Fills whole blocks from `column` on, without a depth test.
     void fill_blocks(std::int32_t column, const TextureBlock* blocks, std::uint32_t count, Pixel* pixels) const {
       fill_detail::fill_whole_blocks(pixels, count, *this, column, blocks);
+    }
+    /// The texels that a kernel may read by itself.
+    [[nodiscard]] TexelTable texel_table() const requires plain_texels {
+      return {texels.table, texels.mask_u, texels.mask_v};
     }
     /// A source without coordinates.
     [[nodiscard]] Source source(std::int32_t column) const {

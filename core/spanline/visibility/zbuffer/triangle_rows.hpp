@@ -1,31 +1,17 @@
 #pragma once
-#include <cstddef>
+#include <algorithm>
 #include <cstdint>
-#include <type_traits>
-#include <utility>
 
-#include "spanline/cpu/armv6m/flat_rows.hpp"
-#include "spanline/cpu/armv6m/ramp_rows.hpp"
+#include "spanline/cpu/block_run.hpp"
+#include "spanline/cpu/depth_run.hpp"
+#include "spanline/cpu/fixed_rows.hpp"
 #include "spanline/raster/active_triangle.hpp"
 #include "spanline/raster/surface_blocks.hpp"
 #include "spanline/raster/triangle_setup.hpp"
 #include "spanline/visibility/band_target.hpp"
-#include "spanline/visibility/zbuffer/block_run.hpp"
-#include "spanline/visibility/zbuffer/depth_run.hpp"
-#include "spanline/visibility/zbuffer/row_address.hpp"
+#include "spanline/visibility/zbuffer/run_counts.hpp"
 
 namespace spanline {
-
-/// A pixel source that counts what is written.
-template <class Source>
-struct CountedSource : Source {
-  static constexpr bool constant = false;
-  std::uint64_t* written;
-  [[nodiscard]] auto get() const {
-    ++*written;
-    return Source::get();
-  }
-};
 
 /// Draws the rows of an active triangle that lie in a band, testing depth. Input: the triangle and surface on
 /// their current row. Output: pixels and depths; the triangle and surface on the row after the band if they go on.
@@ -62,42 +48,19 @@ class TriangleRows {
   }
 
  private:
-  template <class Source>
-  static auto counted(const Source& source, const Target& target) {
-    if constexpr (Counting)
-      return CountedSource<Source>{source, &target.counters->pixels};
-    else
-      return source;
-  }
+  using Counts = RunCounts<Counting>;
+
   template <SurfaceInBlocks Surface>
   static void block_run(typename Depth::Word* depth, Pixel* pixels, std::uint32_t pixel_count, std::uint32_t z,
                         std::uint32_t dz, const Surface& surface, std::int32_t column, const Target& target) {
     BlockRun<Depth, Pixel>::run(depth, pixels, pixel_count, z, dz, surface, column,
-                                [&](const auto& source) { return counted(source, target); });
-  }
-  static void count(const Target& target, std::uint32_t pixels) {
-    if constexpr (Counting) {
-      ++target.counters->spans;
-      target.counters->depth_tests += pixels;
-    }
+                                [&](const auto& source) { return Counts::source(source, target); });
   }
 
   template <class Surface, class CornersOf>
   static void draw_rows(ActiveTriangle& triangle, Surface& surface, const Target& target, std::int32_t before,
                         std::int32_t after, CornersOf& corners_of) {
-    if constexpr (flat_in_assembly<Surface>) {
-      if (triangle.flags.size() != ActiveTriangle::Size::large)
-        return flat_rows(triangle, surface, target, before, after);
-    } else if (triangle.flags.size() == ActiveTriangle::Size::small) {
-      if constexpr (ramp_in_assembly<Surface>)
-        ramp_rows(triangle, surface, target, before, after);
-      else
-        fixed_rows<small_triangle::fraction_bits, Surface>(triangle, surface, target, before, after);
-      return;
-    } else if (triangle.flags.size() == ActiveTriangle::Size::medium) {
-      fixed_rows<medium_triangle::fraction_bits, Surface>(triangle, surface, target, before, after);
-      return;
-    }
+    if (FixedRows<Depth, Pixel, Counts>::draw(triangle, surface, target, before, after)) return;
     if (before > 0) large_rows(triangle, surface, target, before);
     if (after > 0) {
       if (!triangle.flags.bent()) {
@@ -105,51 +68,6 @@ class TriangleRows {
         triangle.flags.set_bent();
       }
       large_rows(triangle, surface, target, after);
-    }
-  }
-
-  /// How a surface travels to a function: as a value where that takes a register.
-  template <class Surface>
-  using InFewRegisters = std::conditional_t<sizeof(Surface) <= sizeof(std::uint32_t), Surface, const Surface&>;
-
-  /// Draws rows of a small or medium triangle, and leaves it and its surface where they stand. A function of its own:
-  /// its loop wants every register.
-  template <int FractionBits, class Surface>
-  [[gnu::noinline]] static void fixed_rows(const ActiveTriangle& triangle, InFewRegisters<Surface> kept_surface,
-                                           const Target& target, std::int32_t rows, std::int32_t rows_after) {
-    Surface surface = kept_surface;
-    FixedEdges edges = triangle.fixed;
-    std::uint32_t z = triangle.depth.at_origin;
-    const std::uint32_t dz = triangle.depth.dx, dz_row = triangle.depth.dy;
-    const std::int32_t offset = (triangle.row - target.first_row) * target.width + triangle.origin;
-    RowAddress<typename Depth::Word, Pixel> row(target.depth, target.pixels, offset);
-    for (;;) {
-      for (; rows > 0; --rows) {
-        const std::uint32_t first = edges.left >> FractionBits, end = edges.right >> FractionBits;
-        if (end > first) {
-          count(target, end - first);
-          auto* depth = row.depth(first);
-          Pixel* pixels = row.pixels(depth, first);
-          if constexpr (SurfaceInBlocks<Surface>) {
-            block_run(depth, pixels, end - first, z + dz * first, dz, surface, static_cast<std::int32_t>(first),
-                      target);
-          } else if (FractionBits == small_triangle::fraction_bits || end - first <= Run::short_limit) {
-            Run::short_run(depth, pixels, end - first, z + dz * (end - 1), dz,
-                           counted(surface.source(static_cast<std::int32_t>(end - 1)), target));
-          } else {
-            Run::long_run(depth, pixels, end - first, z + dz * first, dz,
-                          counted(surface.source(static_cast<std::int32_t>(first)), target));
-          }
-        }
-        edges.next_row();
-        z += dz_row;
-        surface.next_row();
-        row.next_row(target.width);
-      }
-      if (rows_after == 0) break;
-      rows = rows_after;
-      rows_after = 0;
-      if (!triangle.flags.bent()) edges.bend(triangle.flags.right_bends());
     }
   }
 
@@ -162,7 +80,7 @@ class TriangleRows {
     if constexpr (SurfaceInBlocks<Surface>)
       block_run(depth, pixels, pixel_count, z, dz, surface, column, target);
     else
-      Run::run(depth, pixels, pixel_count, z, dz, counted(surface.source(column), target));
+      Run::run(depth, pixels, pixel_count, z, dz, Counts::source(surface.source(column), target));
   }
 
   /// A piece of a run that bounds have not rejected; where they accept it, nothing need be compared.
@@ -172,57 +90,13 @@ class TriangleRows {
                          bool accepted) {
     if constexpr (!SurfaceInBlocks<Surface>) {
       if (accepted) {
-        Run::accepted_run(depth, pixels, pixel_count, z, dz, counted(surface.source(column), target));
+        Run::accepted_run(depth, pixels, pixel_count, z, dz, Counts::source(surface.source(column), target));
         return;
       }
     }
     if constexpr (Counting) target.counters->depth_tests += pixel_count;
     test_piece(surface, column, depth, pixels, pixel_count, z, dz, target);
   }
-
-#if defined(__ARM_ARCH_6M__)
-  static constexpr bool formats_in_assembly = !Counting && Depth::bits == 16 && Depth::smaller && sizeof(Pixel) == 2;
-  /// Whether triangles of a surface take the rows in assembly: one pixel value, or a ramp's in short rows.
-  template <class Surface>
-  static constexpr bool flat_in_assembly = [] {
-    if constexpr (requires(const Surface& surface) { surface.source(0); })
-      return formats_in_assembly && decltype(std::declval<Surface>().source(0))::constant;
-    return false;
-  }();
-  template <class Surface>
-  static constexpr bool ramp_in_assembly = formats_in_assembly&& RampSurface<Surface>;
-
-  static const armv6m::BandTargetWords* words(const Target& target) {
-    static_assert(offsetof(Target, depth) == 0 && offsetof(Target, pixels) == 4 && offsetof(Target, width) == 8 &&
-                  offsetof(Target, first_row) == 12);
-    return reinterpret_cast<const armv6m::BandTargetWords*>(&target);
-  }
-
-  /// Rows of a small or medium triangle of one pixel value.
-  template <class Surface>
-  static void flat_rows(const ActiveTriangle& triangle, const Surface& surface, const Target& target, std::int32_t rows,
-                        std::int32_t rows_after) {
-    const std::uint32_t pixel = surface.source(0).get();
-    if (triangle.flags.size() == ActiveTriangle::Size::small)
-      armv6m::flat_rows_short(&triangle, pixel, words(target), rows, rows_after);
-    else
-      armv6m::flat_rows_long(&triangle, pixel, words(target), rows, rows_after);
-  }
-
-  /// Rows of a small triangle with a ramp.
-  template <class Surface>
-  static void ramp_rows(const ActiveTriangle& triangle, const Surface& surface, const Target& target, std::int32_t rows,
-                        std::int32_t rows_after) {
-    static_assert(offsetof(Surface, intensity) == 0 && offsetof(Surface, ramp) == 12);
-    armv6m::ramp_rows(&triangle, reinterpret_cast<const armv6m::RampSurfaceWords*>(&surface), words(target), rows,
-                      rows_after);
-  }
-#else
-  template <class Surface>
-  static constexpr bool flat_in_assembly = false;
-  template <class Surface>
-  static constexpr bool ramp_in_assembly = false;
-#endif
 
   template <class Surface>
   static void large_rows(ActiveTriangle& triangle, Surface& surface, const Target& target, std::int32_t rows) {
@@ -252,7 +126,7 @@ class TriangleRows {
                               });
         } else {
           const std::uint32_t pixel_count = word(end - first);
-          count(target, pixel_count);
+          Counts::run(target, pixel_count);
           test_piece(surface, first, depth + first, pixels + first, pixel_count, z + dz * word(first), dz, target);
         }
       }

@@ -2,6 +2,8 @@
 #include <array>
 #include <cstdint>
 
+#include "spanline/cpu/dsp/reciprocal_correction.hpp"
+#include "spanline/cpu/form.hpp"
 #include "spanline/math/bits.hpp"
 
 namespace spanline {
@@ -31,15 +33,13 @@ struct TextureReciprocal {
     return {seed, mean_square - (signed_word((w >> 9) * seed << 1) >> 8)};
   }
   /// part/w in Q30, for part in [0, w]: within 2^-17 of itself, and 2^-20 (tested).
+  template <Form form = Form::fastest>
   [[nodiscard]] std::uint32_t share(std::uint32_t part) const {
     const std::uint32_t first = (part >> 10) * seed;
 #if defined(__ARM_FEATURE_DSP)
-    std::uint32_t sum;  // the upper half of `first` times 32 bits, without the lowest 16, and `first`
-    __asm__("smlawt %0, %1, %2, %2" : "=r"(sum) : "r"(correction * 256), "r"(first));
-    return sum;
-#else
-    return first + word((signed_word(first >> 16) * correction) >> 8);
+    if constexpr (form == Form::fastest) return dsp::corrected(first, correction);
 #endif
+    return first + word((signed_word(first >> 16) * correction) >> 8);
   }
   /// How far a parabola in the place of the hyperbola bows back where w has fallen by `fall` · 2^16 to what it is, at
   /// most a quarter of it: at the middle it leaves the chord by (distance of the ends) · (w − w0) / (2 (w0 + w)), which

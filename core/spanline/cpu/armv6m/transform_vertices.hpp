@@ -1,13 +1,15 @@
 #pragma once
 #include <cstdint>
 
-#include "spanline/model/mesh.hpp"
+#include "spanline/cpu/vertex_constants.hpp"
+#include "spanline/math/bits.hpp"
+#include "spanline/math/reciprocal.hpp"
 #include "spanline/raster/screen_vertex.hpp"
 
 #if defined(__ARM_ARCH_6M__)
 namespace spanline::armv6m {
 
-/// What VertexTransform knows, in the order in which a vertex takes it up: a load of several words costs a cycle a
+/// VertexConstants in the order in which a vertex takes it up: a load of several words costs a cycle a
 /// word, one of a single word two.
 struct TransformWords {
   std::uint32_t z_high[3], z_low[3], z_offset;  ///< distance: entries in whole units, and 14 fraction bits of them
@@ -25,11 +27,10 @@ static_assert(sizeof(TransformWords) == 28 * 4);
 
 // clang-format off
 
-/// The vertices [first, end), one at least, without outcodes: what VertexTransform does in C++, whose compilers keep
-/// its constants on the stack and fetch them one by one. Distances are at least 2^24.
-[[gnu::naked, gnu::noinline]] inline void transform_vertices(const TransformWords* /*words*/,
-                                                             const Vertex16* /*first*/, ScreenVertex* /*out*/,
-                                                             const Vertex16* /*end*/) {
+/// The vertices [first, end), 6 bytes each, one at least, without outcodes: what portable::transform_vertices does in
+/// C++, whose compilers keep its constants on the stack and fetch them one by one. Distances are at least 2^24.
+[[gnu::naked, gnu::noinline]] inline void transform_by_words(const TransformWords* /*words*/, const void* /*first*/,
+                                                             ScreenVertex* /*out*/, const void* /*end*/) {
   // r8 vertex, r9 output, r10 constants, r11 and r12 x and y in view space, r14 distance; the end on the stack.
   __asm__ volatile(
       ".syntax unified\n\t"
@@ -178,6 +179,36 @@ static_assert(sizeof(TransformWords) == 28 * 4);
 }
 
 // clang-format on
+
+/// As portable::transform_vertices.
+inline void transform_vertices(const VertexConstants& constants, const void* first, ScreenVertex* out,
+                               const void* end) {
+  if (first == end) return;
+  constexpr int low_bits = VertexConstants::distance_fraction_bits;
+  const auto low = [&](int j) { return word(constants.z[j] & ((1 << low_bits) - 1)); };
+  const auto high = [&](int j) { return word(constants.z[j] >> low_bits); };
+  const TransformWords words{.z_high = {high(0), high(1), high(2)},
+                             .z_low = {low(0), low(1), low(2)},
+                             .z_offset = word(constants.z_offset),
+                             .x = {constants.x[0], constants.x[1], constants.x[2]},
+                             .x_offset = constants.x_offset,
+                             .y = {constants.y[0], constants.y[1], constants.y[2]},
+                             .y_offset = constants.y_offset,
+                             .leading_zeros_of_byte = detail::leading_zeros_of_byte.data(),
+                             .reciprocal_seed = detail::reciprocal_seed.data(),
+                             .shift = constants.shift,
+                             .twice_centre_x = 2 * constants.centre_x + 1,
+                             .twice_centre_y = 2 * constants.centre_y + 1,
+                             .scale_low = constants.depth_scale & 0xffff,
+                             .scale_high = constants.depth_scale >> 16,
+                             .depth_shift = constants.depth_shift,
+                             .depth_base = constants.depth_base,
+                             .depth_fraction = constants.depth_fraction,
+                             .nearest = constants.nearest,
+                             .farthest = constants.farthest,
+                             .depth_position = static_cast<std::uint32_t>(32 - constants.depth_bits)};
+  transform_by_words(&words, first, out, end);
+}
 
 }  // namespace spanline::armv6m
 #endif

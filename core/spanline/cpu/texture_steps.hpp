@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "spanline/cpu/texture_block_maker.hpp"
+#include "spanline/cpu/texture_block.hpp"
 
 namespace spanline {
 

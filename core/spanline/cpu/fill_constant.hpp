@@ -2,6 +2,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "spanline/cpu/armv6m/fill_thirty_twos.hpp"
+#include "spanline/cpu/form.hpp"
+
 namespace spanline {
 
 namespace fill {
@@ -64,34 +67,17 @@ template <class Pixel>
   if ((count & 1) != 0) *pixels = value;
 }
 
-/// Whole blocks of 32 pixels, at least one, at a word's address. Output: the next pixel. Arm cores store four words by
-/// one instruction, which compilers do not make of equal words.
-template <class Pixel>
-[[gnu::always_inline]] inline Pixel* blocks(std::uint32_t two, std::uint32_t count, Pixel* pixels) {
+/// `count` ≥ 1 times 32 pixels at a word's address. Output: the next pixel.
+template <Form form = Form::fastest, class Pixel>
+[[gnu::always_inline]] inline Pixel* thirty_twos(std::uint32_t two, std::uint32_t count, Pixel* pixels) {
 #if defined(__arm__)
-  register std::uint32_t a __asm__("r3") = two;
-  register std::uint32_t b __asm__("r4") = two;
-  register std::uint32_t c __asm__("r5") = two;
-  register std::uint32_t d __asm__("r6") = two;
-  __asm__ volatile(
-      ".syntax unified\n"
-      "0:\n"
-      "stmia %[to]!, {r3, r4, r5, r6}\n"
-      "stmia %[to]!, {r3, r4, r5, r6}\n"
-      "stmia %[to]!, {r3, r4, r5, r6}\n"
-      "stmia %[to]!, {r3, r4, r5, r6}\n"
-      "subs %[count], #1\n"
-      "bne 0b\n"
-      : [to] "+l"(pixels), [count] "+l"(count)
-      : "r"(a), "r"(b), "r"(c), "r"(d)
-      : "cc", "memory");
-#else
+  if constexpr (form == Form::fastest) return armv6m::fill_thirty_twos(two, count, pixels);
+#endif
   for (; count > 0; --count, pixels += 32) {
 #pragma GCC unroll 16
     for (std::ptrdiff_t at = 0; at < 32; at += 2)
       __builtin_memcpy(static_cast<Pixel*>(__builtin_assume_aligned(pixels, 4)) + at, &two, 4);
   }
-#endif
   return pixels;
 }
 
@@ -111,21 +97,21 @@ template <class Pixel>
 }
 
 /// More than 32 pixels of 16 bits.
-template <class Pixel>
+template <Form form, class Pixel>
 [[gnu::noinline]] void long_run(Pixel value, std::uint32_t count, Pixel* pixels) {
   if (!at_word(pixels)) {
     *pixels++ = value;
     --count;
   }
   const std::uint32_t two = value * 0x10001u;
-  pixels = blocks(two, count >> 5, pixels);
+  pixels = thirty_twos<form>(two, count >> 5, pixels);
   words(value, two, count & 31, pixels);
 }
 
 }  // namespace fill
 
 /// `count` ≥ 1 pixels of one value.
-template <class Pixel>
+template <Form form = Form::fastest, class Pixel>
 [[gnu::always_inline]] inline void fill_constant(Pixel value, std::uint32_t count, Pixel* pixels) {
   if constexpr (sizeof(Pixel) == 2) {
     if (count <= fill::longest_short_run)
@@ -133,7 +119,7 @@ template <class Pixel>
     else if (count <= fill::longest_medium_run)
       fill::medium_run(value, count, pixels);
     else
-      fill::long_run(value, count, pixels);
+      fill::long_run<form>(value, count, pixels);
   } else {
     for (; count > 0; --count) *pixels++ = value;
   }

@@ -4,18 +4,20 @@
 #include <type_traits>
 
 #include "spanline/cpu/armv6m/texel_blocks.hpp"
+#include "spanline/cpu/depth_run.hpp"
+#include "spanline/cpu/form.hpp"
+#include "spanline/cpu/packed_depths.hpp"
 #include "spanline/raster/span.hpp"
 #include "spanline/raster/surface_blocks.hpp"
-#include "spanline/visibility/zbuffer/depth_run.hpp"
 
 namespace spanline {
 
 /// Runs against a depth buffer for surfaces that are drawn in blocks of four pieces of 4 pixels. Whole blocks, where
 /// the surface can give some at a time, are straight code; anything else goes piece by piece.
-template <class Depth, class Pixel>
+template <class Depth, class Pixel, Form form = Form::fastest>
 struct BlockRun {
   using Word = typename Depth::Word;
-  using Run = DepthRun<Depth, Pixel>;
+  using Run = DepthRun<Depth, Pixel, form>;
 
   /// `count` pixels ≥ 1 from `first` on; `z` is the plane word of the first. `wrap` may put a source into another
   /// (statistics).
@@ -24,8 +26,8 @@ struct BlockRun {
                                     const Surface& surface, std::int32_t first, Wrap wrap) {
     if constexpr (SurfaceInCertainBlocks<Surface> && !wraps<Surface, Wrap>) {
 #if defined(__ARM_ARCH_6M__)
-      if constexpr (TableSurface<Surface> && sizeof(Word) == 2 && Depth::smaller) {
-        if (run_in_assembly(depth, pixels, count, z, dz, surface, first)) return;
+      if constexpr (form == Form::fastest && TableSurface<Surface> && sizeof(Word) == 2 && Depth::smaller) {
+        if (armv6m::texel_run<BlockRun>(depth, pixels, count, z, dz, surface, first)) return;
         piecewise({depth, pixels, z, dz}, count, surface, first, wrap);
         return;
       }
@@ -50,6 +52,41 @@ struct BlockRun {
     piecewise({depth, pixels, z, dz}, count, surface, first, wrap);
   }
 
+  /// `count` pixels of the block whose start is at `column` − `into`, from there on.
+  template <class Surface, class Steps>
+  [[gnu::noinline]] static void part(Word* depth, Pixel* pixels, std::uint32_t z, std::uint32_t dz,
+                                     const Surface& surface, std::int32_t column, const Steps& block,
+                                     std::uint32_t into, std::uint32_t count) {
+    auto source = surface.source(column);
+    source.restart(block, into);
+    pieces({depth, pixels, z, dz}, source, 4 - (into & 3), count, [&](auto& s) { s.bend(block); });
+  }
+  /// Whole blocks.
+  template <class Surface, class Steps>
+  [[gnu::noinline]] static void whole_blocks(Word* depth, Pixel* pixels, std::uint32_t z, std::uint32_t dz,
+                                             const Surface& surface, std::int32_t column, const Steps* blocks,
+                                             std::uint32_t count) {
+    Place at{depth, pixels, z, dz};
+    for (const Steps* const end = blocks + count;;) {
+      if constexpr (untouched_pays<Surface>) {
+        const Steps* const first = blocks;
+        for (; blocks != end && untouched(at.depth); ++blocks, at.depth += 16) put_depths(at);
+        if (const auto some = static_cast<std::uint32_t>(blocks - first); some != 0) {
+          surface.fill_blocks(column, first, some, at.pixels);
+          column += static_cast<std::int32_t>(16 * some);
+          at.pixels += 16 * some;
+        }
+        if (blocks == end) return;
+      }
+      const Steps* const next = tested_blocks(at, surface, column, blocks, end);
+      if (next == end) return;
+      const auto done = static_cast<std::uint32_t>(next - blocks) * 16;
+      column += static_cast<std::int32_t>(done);
+      at = {at.depth + done, at.pixels + done, at.z + done * at.dz, at.dz};
+      blocks = next;
+    }
+  }
+
  private:
   /// Where a run stands: its first pixel, the plane word there and its step.
   struct Place {
@@ -63,45 +100,6 @@ struct BlockRun {
     using Source = decltype(std::declval<const Surface&>().blocks(0).source());
     return !std::is_same_v<decltype(std::declval<Wrap>()(std::declval<Source>())), Source>;
   }();
-
-#if defined(__ARM_ARCH_6M__)
-  template <class Surface>
-  [[gnu::always_inline]] static inline bool run_in_assembly(Word* depth, Pixel* pixels, std::uint32_t count,
-                                                            std::uint32_t z, std::uint32_t dz, const Surface& surface,
-                                                            std::int32_t first) {
-    const auto& texels = surface.texels;
-    armv6m::TexelRun at;  // what it draws is set with each
-    at.depth = depth;
-    at.pixels = pixels;
-    at.z = z;
-    at.texels = texels.table;
-    at.dz = dz;
-    at.mask_u = 2 * texels.mask_u;
-    at.mask_v = 2 * texels.mask_v;
-    return for_certain_blocks(
-        surface, first, count,
-        [&](std::int32_t column, const auto& block, std::uint32_t into, std::uint32_t in_block)
-            __attribute__((always_inline)) {
-              auto source = surface.source(column);
-              if (into == 0) {
-                source.restart(block, in_block - 1);
-                at.draw_leftwards(block, source.coordinates, in_block);
-              } else if (into + in_block == 16) {
-                source.restart(block, into);
-                at.draw_rightwards(block, source.coordinates, into);
-              } else {  // and that is all of the run
-                part(depth, pixels, z, dz, surface, column, block, into, in_block);
-              }
-            },
-        [&](std::int32_t column, const auto* blocks, std::uint32_t some) __attribute__((always_inline)) {
-          if (aligned(at.depth)) return at.draw_blocks(blocks, some);
-          whole_blocks(at.depth, at.pixels, at.z, dz, surface, column, blocks, some);
-          at.depth += 16 * some;
-          at.pixels += 16 * some;
-          at.z += 16 * some * dz;
-        });
-  }
-#endif
 
   /// Pixels of one block, of whose first piece `piece` pixels are left; `bend` goes from one piece to the next.
   template <class Source, class Bend>
@@ -129,40 +127,6 @@ struct BlockRun {
       if (count == 0) return;
       at = {at.depth + in_block, at.pixels + in_block, at.z + in_block * at.dz, at.dz};
       blocks.next();
-    }
-  }
-
-  template <class Surface, class Steps>
-  [[gnu::noinline]] static void part(Word* depth, Pixel* pixels, std::uint32_t z, std::uint32_t dz,
-                                     const Surface& surface, std::int32_t column, const Steps& block,
-                                     std::uint32_t into, std::uint32_t count) {
-    auto source = surface.source(column);
-    source.restart(block, into);
-    pieces({depth, pixels, z, dz}, source, 4 - (into & 3), count, [&](auto& s) { s.bend(block); });
-  }
-
-  template <class Surface, class Steps>
-  [[gnu::noinline]] static void whole_blocks(Word* depth, Pixel* pixels, std::uint32_t z, std::uint32_t dz,
-                                             const Surface& surface, std::int32_t column, const Steps* blocks,
-                                             std::uint32_t count) {
-    Place at{depth, pixels, z, dz};
-    for (const Steps* const end = blocks + count;;) {
-      if constexpr (untouched_pays<Surface>) {
-        const Steps* const first = blocks;
-        for (; blocks != end && untouched(at.depth); ++blocks, at.depth += 16) put_depths(at);
-        if (const auto some = static_cast<std::uint32_t>(blocks - first); some != 0) {
-          surface.fill_blocks(column, first, some, at.pixels);
-          column += static_cast<std::int32_t>(16 * some);
-          at.pixels += 16 * some;
-        }
-        if (blocks == end) return;
-      }
-      const Steps* const next = tested_blocks(at, surface, column, blocks, end);
-      if (next == end) return;
-      const auto done = static_cast<std::uint32_t>(next - blocks) * 16;
-      column += static_cast<std::int32_t>(done);
-      at = {at.depth + done, at.pixels + done, at.z + done * at.dz, at.dz};
-      blocks = next;
     }
   }
 
@@ -230,25 +194,11 @@ struct BlockRun {
       }
     }
   }
-#if defined(__ARM_FEATURE_SIMD32)
-  static constexpr bool in_pairs = sizeof(Word) == 2;
-#else
-  static constexpr bool in_pairs = false;
-#endif
+  static constexpr bool in_pairs = form == Form::fastest && packing_pays && sizeof(Word) == 2;
 
   [[gnu::always_inline]] static inline void put_pair(void* place, std::uint32_t pair) {
     using Two [[gnu::may_alias]] = std::uint32_t;
     *static_cast<Two*>(place) = pair;
-  }
-  /// The upper halves of two plane words as they lie in memory.
-  [[gnu::always_inline]] static inline std::uint32_t packed_depths(std::uint32_t left, std::uint32_t right) {
-#if defined(__ARM_FEATURE_SIMD32)
-    std::uint32_t pair;
-    __asm__("pkhtb %0, %1, %2, asr #16" : "=r"(pair) : "r"(right), "r"(left));
-    return pair;
-#else
-    return (right & 0xffff0000) | left >> 16;
-#endif
   }
 };
 

@@ -2,11 +2,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "spanline/cpu/dsp/paired_depths.hpp"
+#include "spanline/cpu/form.hpp"
 #include "spanline/raster/span.hpp"
-
-#if defined(__ARM_FEATURE_SIMD32)
-#include <arm_acle.h>
-#endif
 
 namespace spanline {
 
@@ -14,7 +12,7 @@ namespace spanline {
 ///
 /// A pixel source (shade/) gives the pixel under it; this file never looks into one. `z` is the plane word at the first
 /// pixel and `dz` its step to the right.
-template <class Depth, class Pixel>
+template <class Depth, class Pixel, Form form = Form::fastest>
 struct DepthRun {
   using Word = typename Depth::Word;
   static constexpr std::uint32_t short_limit = 21;  ///< a small triangle's row
@@ -122,17 +120,17 @@ struct DepthRun {
       if (dz == 0) return constant_run(depth, pixels, count, z, source.get());
     }
     if constexpr (pairs_fit<Source>) {
-      pair_blocks(depth, pixels, count, z, dz, source);
+      paired(depth, pixels, count, z, dz, source);
     } else {
-      for (; count > block; count -= block) {
+      for (; count > unrolled; count -= unrolled) {
 #pragma GCC unroll 16
-        for (std::size_t i = 0; i < block; ++i) {
+        for (std::size_t i = 0; i < unrolled; ++i) {
           pixel(depth, pixels, i, z, source);
           z += dz;
           source.forward();
         }
-        depth += block;
-        pixels += block;
+        depth += unrolled;
+        pixels += unrolled;
       }
     }
     if (count != 0) short_run_from_left(depth, pixels, count, z, dz, source);
@@ -177,11 +175,11 @@ struct DepthRun {
         pixels[i] = colour;
       }
     };
-    for (; count >= block; count -= block) {
+    for (; count >= unrolled; count -= unrolled) {
 #pragma GCC unroll 16
-      for (std::size_t i = 0; i < block; ++i) put(i);
-      depth += block;
-      pixels += block;
+      for (std::size_t i = 0; i < unrolled; ++i) put(i);
+      depth += unrolled;
+      pixels += unrolled;
     }
     for (; count != 0; --count) {
       put(0);
@@ -191,7 +189,7 @@ struct DepthRun {
   }
 
  private:
-  static constexpr std::uint32_t block = 16;
+  static constexpr std::uint32_t unrolled = 16;  ///< pixels of a loop's body
 
   /// Keeps a rejected pixel a branch around its stores: Thumb-2 compilers would make it predicated stores, which cost
   /// the reject as much as the write.
@@ -216,14 +214,15 @@ struct DepthRun {
   }
 
 #if defined(__ARM_FEATURE_SIMD32)
-  /// Whether two pixels can be decided at once: USUB16 compares two 16-bit depths, SEL picks the survivors.
+  /// Whether two pixels can be decided at once.
   template <PixelSource Source>
-  static constexpr bool pairs_fit = Source::constant && sizeof(Word) == 2 && sizeof(Pixel) == 2 && Depth::smaller;
+  static constexpr bool pairs_fit = form == Form::fastest&& Source::constant && sizeof(Word) == 2 &&
+                                    sizeof(Pixel) == 2 && Depth::smaller;
 
-  /// Whole blocks of eight pixels; what is left of the run stays in the arguments.
+  /// Whole groups of eight pixels; what is left of the run stays in the arguments.
   template <PixelSource Source>
-  [[gnu::always_inline]] static inline void pair_blocks(Word*& depth, Pixel*& pixels, std::uint32_t& count,
-                                                        std::uint32_t& z, std::uint32_t dz, const Source& source) {
+  [[gnu::always_inline]] static inline void paired(Word*& depth, Pixel*& pixels, std::uint32_t& count, std::uint32_t& z,
+                                                   std::uint32_t dz, const Source& source) {
     if (reinterpret_cast<std::uintptr_t>(depth) & 2) {
       pixel(depth, pixels, 0, z, source);
       z += dz;
@@ -231,31 +230,7 @@ struct DepthRun {
       ++pixels;
       --count;
     }
-    const std::uint32_t both_pixels = source.get() * 0x10001u;
-    std::uint32_t z_right = z + dz;
-    const std::uint32_t two = 2 * dz;
-    const auto pair = [&](std::size_t i) __attribute__((always_inline)) {
-      std::uint32_t candidates, kept;
-      __asm__("pkhtb %0, %1, %2, asr #16" : "=r"(candidates) : "r"(z_right), "r"(z));
-      __builtin_memcpy(&kept, depth + 2 * i, 4);
-      __usub16(candidates, kept);  // GE set where candidate >= kept
-      const std::uint32_t nearest = __sel(kept, candidates);
-      if (nearest != kept) {
-        std::uint32_t old_pixels;
-        __builtin_memcpy(&old_pixels, pixels + 2 * i, 4);
-        const std::uint32_t new_pixels = __sel(old_pixels, both_pixels);
-        __builtin_memcpy(depth + 2 * i, &nearest, 4);
-        __builtin_memcpy(pixels + 2 * i, &new_pixels, 4);
-      }
-      z += two;
-      z_right += two;
-    };
-    for (; count >= 8; count -= 8) {
-#pragma GCC unroll 4
-      for (std::size_t i = 0; i < 4; ++i) pair(i);
-      depth += 8;
-      pixels += 8;
-    }
+    dsp::paired_depths(depth, pixels, count, z, dz, source.get());
   }
 #else
   template <PixelSource Source>

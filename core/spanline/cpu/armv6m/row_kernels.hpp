@@ -1,0 +1,49 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "spanline/cpu/armv6m/flat_rows.hpp"
+#include "spanline/cpu/armv6m/ramp_rows.hpp"
+#include "spanline/raster/active_triangle.hpp"
+#include "spanline/raster/span.hpp"
+
+#if defined(__ARM_ARCH_6M__)
+namespace spanline::armv6m {
+
+/// A surface of one pixel value.
+template <class Surface>
+inline constexpr bool flat_surface = [] {
+  if constexpr (requires(const Surface& surface) { surface.source(0); })
+    return decltype(std::declval<Surface>().source(0))::constant;
+  return false;
+}();
+
+template <class Target>
+[[nodiscard]] const BandTargetWords* words(const Target& target) {
+  static_assert(offsetof(Target, depth) == 0 && offsetof(Target, pixels) == 4 && offsetof(Target, width) == 8 &&
+                offsetof(Target, first_row) == 12);
+  return reinterpret_cast<const BandTargetWords*>(&target);
+}
+
+/// Rows of a small or medium triangle of one pixel value.
+template <class Surface, class Target>
+void flat_rows(const ActiveTriangle& triangle, const Surface& surface, const Target& target, std::int32_t rows,
+               std::int32_t rows_after) {
+  const std::uint32_t pixel = surface.source(0).get();
+  if (triangle.flags.size() == ActiveTriangle::Size::small)
+    flat_rows_short(&triangle, pixel, words(target), rows, rows_after);
+  else
+    flat_rows_long(&triangle, pixel, words(target), rows, rows_after);
+}
+
+/// Rows of a small triangle with a ramp.
+template <RampSurface Surface, class Target>
+void ramp_rows(const ActiveTriangle& triangle, const Surface& surface, const Target& target, std::int32_t rows,
+               std::int32_t rows_after) {
+  static_assert(offsetof(Surface, intensity) == 0 && offsetof(Surface, ramp) == 12);
+  ramp_rows(&triangle, reinterpret_cast<const RampSurfaceWords*>(&surface), words(target), rows, rows_after);
+}
+
+}  // namespace spanline::armv6m
+#endif

@@ -1,0 +1,37 @@
+#pragma once
+#include <cstdint>
+
+namespace spanline {
+
+/// A pixel source that counts what is written.
+template <class Source>
+struct CountedSource : Source {
+  static constexpr bool constant = false;
+  std::uint64_t* written;
+  [[nodiscard]] auto get() const {
+    ++*written;
+    return Source::get();
+  }
+};
+
+/// Counts the runs of a target, the depth tests in them and the pixels written, or nothing.
+template <bool Counting>
+struct RunCounts {
+  static constexpr bool counting = Counting;
+  template <class Target>
+  static void run(const Target& target, std::uint32_t pixels) {
+    if constexpr (Counting) {
+      ++target.counters->spans;
+      target.counters->depth_tests += pixels;
+    }
+  }
+  template <class Source, class Target>
+  static auto source(const Source& source, const Target& target) {
+    if constexpr (Counting)
+      return CountedSource<Source>{source, &target.counters->pixels};
+    else
+      return source;
+  }
+};
+
+}  // namespace spanline
