@@ -20,10 +20,10 @@ LIBGCC = {
     **dict.fromkeys(["__clzsi2", "__clzdi2", "__aeabi_llsl", "__aeabi_llsr", "__aeabi_lasr"], 8),
 }
 # Functions that are assembly alone, of whose frames gcc knows nothing: nine registers and what they keep besides
-# (core/spanline/*/*_armv6m.hpp).
+# (core/spanline/cpu/armv6m/flat_rows.hpp, ramp_rows.hpp, transform_vertices.hpp).
 NAKED = {
     **{"armv6m9ramp_rows": 9 * 4 + 32, "armv6m15flat_rows_short": 9 * 4 + 24, "armv6m14flat_rows_long": 9 * 4 + 24},
-    "armv6m18transform_vertices": 10 * 4,
+    "armv6m18transform_by_words": 10 * 4,
 }
 INDIRECT = "__indirect_call"
 

@@ -41,11 +41,11 @@ class FixedRows {
 #if defined(__ARM_ARCH_6M__)
     if constexpr (fast && armv6m::flat_surface<Surface>) {
       if (size == ActiveTriangle::Size::large) return false;
-      armv6m::flat_rows(triangle, surface, target, rows, rows_after);
+      armv6m::draw_flat_rows(triangle, surface, target, rows, rows_after);
       return true;
     } else if constexpr (fast && RampSurface<Surface>) {
       if (size == ActiveTriangle::Size::small) {
-        armv6m::ramp_rows(triangle, surface, target, rows, rows_after);
+        armv6m::draw_ramp_rows(triangle, surface, target, rows, rows_after);
         return true;
       }
     }

@@ -28,8 +28,8 @@ template <class Target>
 
 /// Rows of a small or medium triangle of one pixel value.
 template <class Surface, class Target>
-void flat_rows(const ActiveTriangle& triangle, const Surface& surface, const Target& target, std::int32_t rows,
-               std::int32_t rows_after) {
+void draw_flat_rows(const ActiveTriangle& triangle, const Surface& surface, const Target& target, std::int32_t rows,
+                    std::int32_t rows_after) {
   const std::uint32_t pixel = surface.source(0).get();
   if (triangle.flags.size() == ActiveTriangle::Size::small)
     flat_rows_short(&triangle, pixel, words(target), rows, rows_after);
@@ -39,8 +39,8 @@ void flat_rows(const ActiveTriangle& triangle, const Surface& surface, const Tar
 
 /// Rows of a small triangle with a ramp.
 template <RampSurface Surface, class Target>
-void ramp_rows(const ActiveTriangle& triangle, const Surface& surface, const Target& target, std::int32_t rows,
-               std::int32_t rows_after) {
+void draw_ramp_rows(const ActiveTriangle& triangle, const Surface& surface, const Target& target, std::int32_t rows,
+                    std::int32_t rows_after) {
   static_assert(offsetof(Surface, intensity) == 0 && offsetof(Surface, ramp) == 12);
   ramp_rows(&triangle, reinterpret_cast<const RampSurfaceWords*>(&surface), words(target), rows, rows_after);
 }

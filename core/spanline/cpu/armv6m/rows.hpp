@@ -4,7 +4,7 @@
 
 #include "spanline/raster/active_triangle.hpp"
 
-/// What the rows of triangles in assembly have in common (flat_rows_armv6m.hpp, ramp_rows_armv6m.hpp): Thumb-1 has
+/// What the rows of triangles in assembly have in common (flat_rows.hpp, ramp_rows.hpp): Thumb-1 has
 /// eight registers for arithmetic, and compilers move more between them and the stack than these do.
 #if defined(__ARM_ARCH_6M__)
 namespace spanline::armv6m {
