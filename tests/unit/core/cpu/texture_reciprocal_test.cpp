@@ -1,5 +1,5 @@
 // The division of perspective textures: within its stated error, and right on the average.
-#include "spanline/shade/texture/texture_reciprocal.hpp"
+#include "spanline/cpu/texture_reciprocal.hpp"
 
 #include <gtest/gtest.h>
 
