@@ -1,4 +1,5 @@
 #pragma once
+#include <concepts>
 #include <cstdint>
 #include <type_traits>
 
@@ -66,9 +67,16 @@ struct SurfaceNeeds {
   bool holes = false;           ///< texels that are not there
 };
 
+/// Whether a shader says itself which surfaces it draws, as those of programs do: no line here names them.
+template <class Shader>
+concept SaysWhatItDraws = requires(const Material& material, const SurfaceNeeds& needs) {
+  { Shader::draws(material, needs) } -> std::same_as<bool>;
+};
+
 /// Whether a shader serves a material, but for its opacity.
 template <class Shader, class Format>
 [[nodiscard]] constexpr bool serves(const Material& material, const SurfaceNeeds& needs) {
+  if constexpr (SaysWhatItDraws<Shader>) return Shader::draws(material, needs);
   if (needs.volume || needs.relief) {
     if (needs.relief && (needs.volume || needs.local_light)) return false;
     if constexpr (DrawsVolumes<Shader>) return needs.volume && Shader::serves(material, needs.vertex_colours);
