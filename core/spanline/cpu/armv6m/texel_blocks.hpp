@@ -51,7 +51,8 @@ static_assert(offsetof(TexelRun, dz) == 16 && offsetof(TexelRun, part) == 28);
 
 // clang-format off
 // r0 depth, r1 pixels, r2 u, r3 v, r4 and r5 free, r6 and r7 masks, r8 plane word, r9 and r10 steps, r11 and r12 their
-// gains, r14 the table. On the stack: dz, the blocks, their end, the run.
+// gains, r14 the table. On the stack: dz, the blocks, their end, the run, and what r7 was, which compilers may hold as
+// the frame pointer and do not give away.
 
 // A depth at a byte offset; r2 the plane word and r3 its step.
 #define SPANLINE_DEPTH(offset)                                                 \
@@ -112,7 +113,7 @@ static_assert(offsetof(TexelRun, dz) == 16 && offsetof(TexelRun, part) == 28);
 inline void TexelRun::draw_whole_blocks() {
   register TexelRun* self __asm__("r0") = this;
   __asm__ volatile(".syntax unified\n\t"
-                   "push {r0}\n\t"
+                   "push {r0, r7}\n\t"
                    "ldmia r0!, {r1, r2, r3, r4}\n\t"
                    "mov r8, r3\n\t"
                    "mov lr, r4\n\t"
@@ -155,13 +156,13 @@ inline void TexelRun::draw_whole_blocks() {
                    SPANLINE_LOAD_BLOCK
                    SPANLINE_BLOCK(SPANLINE_TESTED)
                    "b 4b\n"
-                   "6: ldr r2, [sp, #12]\n\t"
+                   "6: add sp, #12\n\t"
+                   "pop {r2, r7}\n\t"
                    "mov r3, r8\n\t"
                    "stmia r2!, {r0, r1, r3}\n\t"
-                   "add sp, #16\n\t"
                    : "+r"(self)
                    :
-                   : "r1", "r2", "r3", "r4", "r5", "r6", "r7", "r8", "r9", "r10", "r11", "r12", "lr", "cc", "memory");
+                   : "r1", "r2", "r3", "r4", "r5", "r6", "r8", "r9", "r10", "r11", "r12", "lr", "cc", "memory");
 }
 
 // A block from right to left: its steps are those of the piece that they lead into.
@@ -171,15 +172,15 @@ inline void TexelRun::draw_whole_blocks() {
   SPANLINE_PIECE(PIXEL, 14, 12, 10, 8) SPANLINE_BEND SPANLINE_STEP             \
   SPANLINE_PIECE(PIXEL, 6, 4, 2, 0)
 
-// Registers as above, but dz alone on the stack, and the run's end.
+// Registers as above, but on the stack dz, the run 16 bytes behind its start, and what r7 was.
 #define SPANLINE_ENTER_BLOCK(BLOCK, WRITE_BACK)                                \
   register TexelRun* self __asm__("r0") = this;                                \
   __asm__ volatile(".syntax unified\n\t"                                       \
                    "ldmia r0!, {r1, r2, r3, r4}\n\t"                           \
                    "mov r8, r3\n\t"                                            \
                    "mov lr, r4\n\t"                                            \
+                   "push {r0, r7}\n\t"                                         \
                    "ldmia r0!, {r3, r6, r7}\n\t"                               \
-                   "push {r0}\n\t"                                             \
                    "push {r3}\n\t"                                             \
                    "ldmia r0!, {r3, r4}\n\t"                                   \
                    "mov r9, r3\n\t"                                            \
@@ -195,20 +196,19 @@ inline void TexelRun::draw_whole_blocks() {
                    "add pc, r5\n\t"                                            \
                    "nop\n\t"                                                   \
                    BLOCK(SPANLINE_TESTED)                                      \
+                   "pop {r4, r5, r7}\n\t"                                      \
                    WRITE_BACK                                                  \
-                   "add sp, #8\n\t"                                            \
                    : "+r"(self)                                                \
                    :                                                           \
-                   : "r1", "r2", "r3", "r4", "r5", "r6", "r7", "r8", "r9", "r10", "r11", "r12", "lr", "cc", "memory")
+                   : "r1", "r2", "r3", "r4", "r5", "r6", "r8", "r9", "r10", "r11", "r12", "lr", "cc", "memory")
 
 inline void TexelRun::draw_part_rightwards() {
   SPANLINE_ENTER_BLOCK(SPANLINE_BLOCK,
-                       "ldr r2, [sp, #4]\n\t"
-                       "subs r2, #28\n\t"
+                       "subs r5, #16\n\t"
                        "adds r0, #32\n\t"
                        "adds r1, #32\n\t"
                        "mov r3, r8\n\t"
-                       "stmia r2!, {r0, r1, r3}\n\t");
+                       "stmia r5!, {r0, r1, r3}\n\t");
 }
 inline void TexelRun::draw_part_leftwards() { SPANLINE_ENTER_BLOCK(SPANLINE_BLOCK_LEFTWARDS, ""); }
 

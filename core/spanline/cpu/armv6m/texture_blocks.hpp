@@ -36,8 +36,10 @@ namespace spanline::armv6m {
 [[gnu::always_inline]] inline void make_texture_blocks(TextureBlockMaker& maker) {
   register TextureBlockMaker* self __asm__("r0") = &maker;
   // r8 w, r9 and r10 u and v, r11 and r12 where they come from, r14 the step of u. On the stack: shifts, the step of
-  // v, fall, end, seeds 256 entries before their first, upper fall, where `out` is kept.
+  // v, fall, end, seeds 256 entries before their first, upper fall, where `out` is kept, and what r7 was, which compilers
+  // may hold as the frame pointer and do not give away.
   __asm__ volatile(".syntax unified\n\t"
+                   "push {r7}\n\t"
                    "ldmia r0!, {r1, r2, r3, r4, r5}\n\t"
                    "mov r8, r1\n\t"
                    "mov r9, r2\n\t"
@@ -86,16 +88,16 @@ namespace spanline::armv6m {
                    "subs r5, r5, r6\n\t"
                    "mov r8, r5\n\t"
                    "bmi 1b\n"
-                   "2: ldr r1, [sp, #28]\n\t"
+                   "2: add sp, #28\n\t"
+                   "pop {r1, r7}\n\t"
                    "str r0, [r1]\n\t"
                    "subs r1, #8\n\t"
                    "mov r2, r11\n\t"
                    "mov r3, r12\n\t"
                    "stmia r1!, {r2, r3}\n\t"
-                   "add sp, #32\n\t"
                    : "+r"(self)
                    :
-                   : "r1", "r2", "r3", "r4", "r5", "r6", "r7", "r8", "r9", "r10", "r11", "r12", "lr", "cc", "memory");
+                   : "r1", "r2", "r3", "r4", "r5", "r6", "r8", "r9", "r10", "r11", "r12", "lr", "cc", "memory");
 }
 
 #undef SPANLINE_AXIS

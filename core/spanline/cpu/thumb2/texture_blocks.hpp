@@ -67,8 +67,10 @@ namespace spanline::thumb2 {
 /// As portable::make_texture_blocks.
 [[gnu::always_inline]] inline void make_texture_blocks(TextureBlockMaker& maker) {
   register TextureBlockMaker* self __asm__("r0") = &maker;
-  // r8, r9, r10 w, u and v; r7 and r14 shifts; on the stack: seeds, upper fall, steps, fall, end.
+  // r8, r9, r10 w, u and v; r7 and r14 shifts; on the stack: seeds, upper fall, steps, fall, end, and what r7 was, which
+  // compilers may hold as the frame pointer and do not give away.
   __asm__ volatile(".syntax unified\n\t"
+                   "mov r4, r7\n\t"
                    "ldmia r0!, {r8, r9, r10, r11, r12}\n\t"
                    "ldmia r0!, {r6, r7, lr}\n\t"
                    "subs r5, r0, #32\n\t"
@@ -84,13 +86,13 @@ namespace spanline::thumb2 {
                    "b 3f\n"
                    "2: mov r11, r2\n\t"
                    "mov r12, r3\n"
-                   "3: ldr r0, [sp, #28]\n\t"
+                   "3: ldrd r7, r0, [sp, #24]\n\t"
                    "strd r11, r12, [r0, #12]\n\t"
                    "str r6, [r0, #20]\n\t"
                    "add sp, #32\n\t"
                    : "+r"(self)
                    :
-                   : "r1", "r2", "r3", "r4", "r5", "r6", "r7", "r8", "r9", "r10", "r11", "r12", "lr", "cc", "memory");
+                   : "r1", "r2", "r3", "r4", "r5", "r6", "r8", "r9", "r10", "r11", "r12", "lr", "cc", "memory");
 }
 
 #undef SPANLINE_CHORDS
