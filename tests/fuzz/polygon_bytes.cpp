@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "brute_force.hpp"
+#include "byte_reader.hpp"
 #include "sizes.hpp"
 #include "verdict.hpp"
 
@@ -15,29 +16,14 @@ using contract::Corners;
 constexpr int header_bytes = 5;
 enum Opcode : std::uint8_t { wide = 0, narrow = 1, again = 2, shared_edge = 3 };
 
-class Reader {
+class Reader : public ByteReader {
  public:
-  explicit Reader(std::span<const std::uint8_t> bytes) : rest_(bytes) {}
+  using ByteReader::ByteReader;
 
-  [[nodiscard]] bool empty() const { return rest_.empty(); }
-  int byte() {
-    if (rest_.empty()) return 0;
-    const int value = rest_.front();
-    rest_ = rest_.subspan(1);
-    return value;
-  }
-  int signed_byte() { return static_cast<std::int8_t>(byte()); }
-  int half_word() {
-    const int low = byte();
-    return static_cast<std::int16_t>(low | byte() << 8);
-  }
   Corner corner() {
     const int x = half_word(), y = half_word(), low = byte(), middle = byte();
     return contract::corner_near(x, y, low | middle << 8 | byte() << 16);
   }
-
- private:
-  std::span<const std::uint8_t> rest_;
 };
 
 Corners triangle(Reader& reader, const std::vector<Corners>& earlier) {

@@ -1,0 +1,346 @@
+#!/usr/bin/env python3
+"""Changes core by a little, many times over, and sees whether the tests notice.
+
+Some sixty mutations are drawn by seed, five at least from every room of core/spanline that has as many places. Each is
+built in a copy of the tree under build/mutate, one program of tests after the other, those of its own room first, until
+one fails: the mutation is killed. One that none kills survives, and is listed. Those of equivalents.txt are known to
+change nothing that anybody could see and do not count; those of named.txt lived once and are tried every time.
+
+Results are kept in build/mutate/results.json: --resume goes on where a run was stopped, and tries survivors again.
+"""
+
+import argparse
+import json
+import os
+import pathlib
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from dataclasses import dataclass
+
+import places
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+HERE = ROOT / "tests/mutation"
+TREE = ROOT / "build/mutate"
+BUILD = TREE / "build/host-release"
+RESULTS = TREE / "results.json"
+RECORD = ROOT / "docs/mutants.md"
+
+# Programs of tests that know core, those that fail most often for their time first, and the program of each room.
+PROGRAMS = ("golden", "unit_core_geometry", "unit_core_raster", "unit_core_frame", "unit_core_shade", "unit_core_visibility",
+            "contract", "unit_core_model", "unit_core_math", "unit_core_lectures", "selftest", "fuzz_bytes")
+OF_ROOM = {"finish": "unit_core_shade", "pixel": "unit_core_shade", "cpu": "unit_core_shade", "memory": "unit_core_frame"}
+
+MOST_MEMORY = 8 << 30
+MOST_WALL_SECONDS = 1800  # for threads that wait for one another
+
+
+class Failure(Exception):
+    """Something that no test can be blamed for."""
+
+
+def copy_tree():
+    """Brings the copy up to date; files that would not change keep their dates, so that little is compiled again."""
+    listing = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=ROOT, check=True,
+                             capture_output=True, text=True).stdout
+    wanted = {name for name in listing.split("\0") if name and (ROOT / name).is_file()}
+    for folder in ("core", "hal", "host_sim", "firmware", "tests"):
+        for path in (TREE / folder).rglob("*"):
+            if path.is_file() and path.relative_to(TREE).as_posix() not in wanted:
+                path.unlink()
+    for name in wanted:
+        source, copy = ROOT / name, TREE / name
+        if not copy.is_file() or copy.read_bytes() != source.read_bytes():
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(source, copy)
+    (TREE / "build").mkdir(exist_ok=True)
+    models = TREE / "build/models"
+    if not models.exists():
+        models.symlink_to(ROOT / "build/models")
+
+
+def configure():
+    done = subprocess.run(["cmake", "--preset", "host-release", "-DSPANLINE_UNIT_TESTS=ON", "-DSPANLINE_CROSS_TESTS=OFF",
+                           f"-DSPANLINE_GENERATED={ROOT / 'build/generated'}"], cwd=TREE, capture_output=True, text=True)
+    if done.returncode != 0:
+        raise Failure(f"the copy cannot be configured:\n{done.stdout}{done.stderr}")
+
+
+def build(program, jobs):
+    """What the compiler says against a program; nothing if it was built."""
+    done = subprocess.run(["cmake", "--build", BUILD, "--target", program, "--", "-j", str(jobs)], capture_output=True, text=True)
+    return None if done.returncode == 0 else done.stdout + done.stderr
+
+
+def path_of(program):
+    found = [path for path in BUILD.rglob(program) if path.is_file() and os.access(path, os.X_OK)]
+    if len(found) != 1:
+        raise Failure(f"{program}: {len(found)} programs of that name")
+    return found[0]
+
+
+def run(program, most_seconds):
+    """Why a program of tests failed, nothing if it did not; and the processor time that it took. Processor time bounds
+    it, which does not depend on what else the machine does."""
+    def limited():
+        resource.setrlimit(resource.RLIMIT_CPU, (most_seconds, most_seconds))
+        resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    command = [path_of(program), "--gtest_fail_fast", "--gtest_brief=1"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
+                          cwd=BUILD, preexec_fn=limited, start_new_session=True) as child:
+        try:
+            output = child.communicate(timeout=MOST_WALL_SECONDS)[0]
+            code = child.returncode
+        except subprocess.TimeoutExpired:
+            os.killpg(child.pid, signal.SIGKILL)
+            return "does not come to an end", 0
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    seconds = used.ru_utime + used.ru_stime - before.ru_utime - before.ru_stime
+    if code == 0:
+        return None, seconds
+    failed = [line.split("]")[1].split("(")[0].split(", where")[0].strip() for line in output.splitlines() if "[  FAILED  ]" in line]
+    if failed:
+        return failed[0], seconds
+    return "does not come to an end" if -code in (signal.SIGXCPU, signal.SIGKILL) else f"ends with {code}", seconds
+
+
+def programs_for(room):
+    own = OF_ROOM.get(room, f"unit_core_{room}")
+    return [own, *(program for program in PROGRAMS if program != own)]
+
+
+@dataclass
+class Verdict:
+    state: str  # killed, survived or stillborn
+    by: str = ""
+
+
+def judge(mutation, seconds, jobs):
+    """Tries one mutation in the copy, and takes it back."""
+    path = TREE / mutation.path
+    source = (ROOT / mutation.path).read_text()
+    path.write_text(mutation.applied_to(source))
+    try:
+        for program in programs_for(mutation.room):
+            errors = build(program, jobs)
+            if errors is not None:
+                if "static assertion failed" in errors:
+                    return Verdict("killed", "a static assertion")
+                return Verdict("stillborn")
+            reason, _ = run(program, seconds[program])
+            if reason is not None:
+                return Verdict("killed", f"{program}: {reason}")
+        return Verdict("survived")
+    finally:
+        path.write_text(source)
+
+
+def measure(jobs):
+    """Builds and runs all tests as they are; how much processor time a mutated one may take."""
+    seconds = {}
+    for program in PROGRAMS:
+        errors = build(program, jobs)
+        if errors is not None:
+            raise Failure(f"{program} cannot be built as it is:\n{errors}")
+        reason, taken = run(program, 3600)
+        if reason is not None:
+            raise Failure(f"{program} fails as it is: {reason}")
+        seconds[program] = int(20 + 5 * taken)
+        print(f"{program}: passes in {taken:.1f} s of processor time", flush=True)
+    return seconds
+
+
+def read_table(name):
+    """The mutations of a table, each with its reason. An entry is `path`, `line`, `changed line`, `reason`, one a line,
+    with a blank line behind."""
+    listed = {}
+    entries = "\n".join(line for line in (HERE / name).read_text().splitlines() if not line.startswith("#")).split("\n\n")
+    for entry in filter(None, (entry.strip("\n") for entry in entries)):
+        path, text, changed, *reason = entry.split("\n")
+        if not reason:
+            raise Failure(f"{name}: an entry without a reason: {text}")
+        source = (ROOT / path).read_text() if (ROOT / path).is_file() else ""
+        if text not in (line.strip() for line in source.splitlines()):
+            raise Failure(f"{name}: {path} has no line {text!r} any more")
+        listed[path, text, changed] = " ".join(reason)
+    return listed
+
+
+def key(mutation):
+    return mutation.path, mutation.text, mutation.changed
+
+
+def named_mutations():
+    return [places.Mutation(path, text, 0, 0, text, changed) for path, text, changed in read_table("named.txt")]
+
+
+def place_of(mutation):
+    return f"{mutation.path}:{mutation.line_in((ROOT / mutation.path).read_text())}"
+
+
+class Results:
+    """What was found out so far, on disk."""
+
+    def __init__(self, resumed):
+        self.known = json.loads(RESULTS.read_text()) if resumed and RESULTS.is_file() else {}
+
+    def of(self, mutation):
+        """Survivors are tried again: there may be a test for them by now."""
+        state, by = self.known.get(self._name(mutation), ("survived", ""))
+        return None if state == "survived" else Verdict(state, by)
+
+    def note(self, mutation, verdict):
+        self.known[self._name(mutation)] = (verdict.state, verdict.by)
+        RESULTS.write_text(json.dumps(self.known, indent=1) + "\n")
+
+    @staticmethod
+    def _name(mutation):
+        return "\n".join((*key(mutation), str(mutation.nth)))
+
+
+class Run:
+    """One draw and what became of it."""
+
+    def __init__(self, arguments, results, seconds):
+        self.arguments, self.results, self.seconds = arguments, results, seconds
+        self.equivalents = read_table("equivalents.txt")
+        self.judged, self.equivalent, self.stillborn, self.skipped = [], [], 0, []
+        self.tried = set()
+
+    def take(self, mutation):
+        """Judges a mutation that was drawn; whether it counts."""
+        if (key(mutation), mutation.nth) in self.tried:
+            return False
+        self.tried.add((key(mutation), mutation.nth))
+        if key(mutation) in self.equivalents:
+            self.equivalent.append(mutation)
+            return False
+        verdict = self.results.of(mutation)
+        if verdict is None:
+            started = time.monotonic()
+            verdict = judge(mutation, self.seconds, self.arguments.jobs)
+            self.results.note(mutation, verdict)
+            print(f"{verdict.state}{f' by {verdict.by}' if verdict.by else ''}, {time.monotonic() - started:.0f} s: "
+                  f"{place_of(mutation)}\n  {mutation.text}\n  {mutation.changed}", flush=True)
+        if verdict.state == "stillborn":
+            self.stillborn += 1
+            return False
+        self.judged.append((mutation, verdict))
+        return True
+
+    def take_draw(self):
+        every = places.places(ROOT)
+        rooms, ranked = places.in_order(every, self.arguments.seed, self.arguments.a_room)
+        self.skipped = sorted({mutation.room for mutation in every} - set(rooms))
+        for listed in rooms.values():
+            counted = 0
+            for mutation in listed:
+                counted += self.take(mutation)
+                if counted == self.arguments.a_room:
+                    break
+        for mutation in ranked:
+            if len(self.judged) >= self.arguments.count:
+                break
+            self.take(mutation)
+
+    def survivors(self):
+        return [mutation for mutation, verdict in self.judged if verdict.state == "survived"]
+
+    def share(self):
+        return 1 - len(self.survivors()) / max(1, len(self.judged))
+
+
+def listed(mutations, reason=None):
+    for mutation in mutations:
+        yield f"- `{place_of(mutation)}`: `{mutation.text}` → `{mutation.changed}`" + (f" — {reason(mutation)}" if reason else "")
+
+
+def report(draw, named):
+    """The result as a page of the documentation."""
+    rooms = {}
+    for mutation, verdict in draw.judged:
+        killed, drawn = rooms.get(mutation.room, (0, 0))
+        rooms[mutation.room] = (killed + (verdict.state == "killed"), drawn + 1)
+    killed = len(draw.judged) - len(draw.survivors())
+    arguments = draw.arguments
+    lines = [
+        "# Mutants",
+        "",
+        "Core is changed by a little, one place at a time, and the tests have to notice. Written by",
+        f"`script/mutate --seed {arguments.seed} --count {arguments.count} --record`, which repeats it; `tests/mutation/mutate.py` says how.",
+        "",
+        f"**{killed} of {len(draw.judged)} mutants are killed ({100 * draw.share():.1f} %)**, of {len(places.places(ROOT))} places; "
+        f"{len(draw.equivalent)} more that were drawn change nothing that anybody could see, and {draw.stillborn} do not compile.",
+        *([f"Rooms with too few places: {', '.join(draw.skipped)}."] if draw.skipped else []),
+        f"Of {len(named)} that lived once (`tests/mutation/named.txt`), {sum(v.state == 'killed' for _, v in named)} are killed.",
+        "",
+        "| room | killed | drawn |",
+        "|---|---|---|",
+        *(f"| {room} | {k} | {n} |" for room, (k, n) in sorted(rooms.items())),
+        "",
+        "## Survivors",
+        "",
+        *(list(listed(draw.survivors())) or ["None."]),
+        "",
+        "## Equivalents",
+        "",
+        *(list(listed(draw.equivalent, lambda mutation: draw.equivalents[key(mutation)])) or ["None."]),
+        "",
+        "## Killed",
+        "",
+        *(f"- `{place_of(m)}`: `{m.before}` → `{m.after}` by {v.by}" for m, v in draw.judged if v.state == "killed"),
+        "",
+    ]
+    return "\n".join(lines)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--seed", type=int, default=15, help="of the draw (15)")
+    parser.add_argument("--count", type=int, default=60, help="mutants that are judged (60)")
+    parser.add_argument("--a-room", type=int, default=5, help="of these, from every room at least (5)")
+    parser.add_argument("--least", type=float, default=90, help="per cent that must be killed (90)")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="compilers at a time")
+    parser.add_argument("--resume", action="store_true", help="keep what the last run killed")
+    parser.add_argument("--named", action="store_true", help="those of named.txt alone")
+    parser.add_argument("--list", action="store_true", help="print the draw and do nothing")
+    parser.add_argument("--record", action="store_true", help=f"write the result to {RECORD.relative_to(ROOT)}")
+    arguments = parser.parse_args()
+    if arguments.list:
+        rooms, ranked = places.in_order(places.places(ROOT), arguments.seed, arguments.a_room)
+        for mutation in dict.fromkeys([m for listing in rooms.values() for m in listing[: arguments.a_room]] + ranked[: arguments.count]):
+            print(f"{place_of(mutation)}\n  {mutation.text}\n  {mutation.changed}")
+        return
+    try:
+        named_first = named_mutations()
+        copy_tree()
+        configure()
+        draw = Run(arguments, Results(arguments.resume), measure(arguments.jobs))
+        named = []
+        for mutation in named_first:
+            draw.take(mutation)
+        named, draw.judged = draw.judged, []
+        if not arguments.named:
+            draw.take_draw()
+    except Failure as failure:
+        sys.exit(f"mutate.py: {failure}")
+    text = report(draw, named)
+    print(text)
+    if arguments.record:
+        RECORD.write_text(text)
+    alive = [mutation for mutation, verdict in named if verdict.state != "killed"]
+    if alive:
+        sys.exit("mutate.py: named mutants live:\n" + "\n".join(listed(alive)))
+    if 100 * draw.share() < arguments.least:
+        sys.exit(f"mutate.py: less than {arguments.least:g} % are killed")
+
+
+if __name__ == "__main__":
+    main()
