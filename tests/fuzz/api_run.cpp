@@ -111,8 +111,8 @@ std::string fault_in(const ApiFrame& frame, Statuses& told) {
   std::string fault;
   std::vector<Drawn> everything, plain;
   draw_in_both<GeneralSeeThroughTraits<Rgb565, Depth24<>>>("zbuffer", frame, everything, fault);
-  draw_in_both<GeneralSeeThroughTraits<Rgb565, Depth24<>, false, Spanning>>("span", frame, everything, fault);
-  draw_in_both<FullTraits<Rgb565, Depth16<>, true, BoundedZBuffer>>("plain", frame, plain, fault);
+  draw_in_both<GeneralSeeThroughTraits<Rgb565, Depth24<>, Spanning>>("span", frame, everything, fault);
+  draw_in_both<GouraudTraits<Rgb565, Depth16<>, Counted, BoundedZBuffer>>("plain", frame, plain, fault);
   for (const auto* all : {&everything, &plain}) {
     if (fault.empty()) fault = difference(*all);
     for (const Drawn& drawn : *all)

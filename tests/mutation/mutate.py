@@ -10,6 +10,7 @@ Results are kept in build/mutate/results.json: --resume goes on where a run was 
 """
 
 import argparse
+import hashlib
 import json
 import os
 import pathlib
@@ -28,6 +29,7 @@ HERE = ROOT / "tests/mutation"
 TREE = ROOT / "build/mutate"
 BUILD = TREE / "build/host-release"
 RESULTS = TREE / "results.json"
+BASELINE = TREE / "baseline.json"
 RECORD = ROOT / "docs/mutants.md"
 
 # Programs of tests that know core, those that fail most often for their time first, and the program of each room.
@@ -58,9 +60,6 @@ def copy_tree():
             copy.parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(source, copy)
     (TREE / "build").mkdir(exist_ok=True)
-    models = TREE / "build/models"
-    if not models.exists():
-        models.symlink_to(ROOT / "build/models")
 
 
 def configure():
@@ -122,13 +121,13 @@ class Verdict:
     by: str = ""
 
 
-def judge(mutation, seconds, jobs):
-    """Tries one mutation in the copy, and takes it back."""
+def judge(mutation, programs, seconds, jobs):
+    """Tries one mutation in the copy with these programs of tests, and takes it back."""
     path = TREE / mutation.path
     source = (ROOT / mutation.path).read_text()
     path.write_text(mutation.applied_to(source))
     try:
-        for program in programs_for(mutation.room):
+        for program in programs:
             errors = build(program, jobs)
             if errors is not None:
                 if "static assertion failed" in errors:
@@ -142,19 +141,32 @@ def judge(mutation, seconds, jobs):
         path.write_text(source)
 
 
-def measure(jobs):
-    """Builds and runs all tests as they are; how much processor time a mutated one may take."""
-    seconds = {}
-    for program in PROGRAMS:
-        errors = build(program, jobs)
-        if errors is not None:
-            raise Failure(f"{program} cannot be built as it is:\n{errors}")
-        reason, taken = run(program, 3600)
-        if reason is not None:
-            raise Failure(f"{program} fails as it is: {reason}")
-        seconds[program] = int(20 + 5 * taken)
-        print(f"{program}: passes in {taken:.1f} s of processor time", flush=True)
-    return seconds
+class Baseline:
+    """How much processor time a program of mutated tests may take: five times what it takes as it is, where it must
+    pass. Kept on disk while the tree stays the same."""
+
+    def __init__(self, jobs):
+        self.jobs = jobs
+        digest = hashlib.sha256()
+        for path in sorted(path for folder in ("core", "firmware", "host_sim", "tests") for path in (ROOT / folder).rglob("*.[hc]pp")):
+            digest.update(path.read_bytes())
+        self.digest = digest.hexdigest()
+        kept = json.loads(BASELINE.read_text()) if BASELINE.is_file() else {}
+        self.seconds = kept["seconds"] if kept.get("digest") == self.digest else {}
+
+    def measure(self, programs):
+        for program in programs:
+            if program in self.seconds:
+                continue
+            errors = build(program, self.jobs)
+            if errors is not None:
+                raise Failure(f"{program} cannot be built as it is:\n{errors}")
+            reason, taken = run(program, 3600)
+            if reason is not None:
+                raise Failure(f"{program} fails as it is: {reason}")
+            self.seconds[program] = int(20 + 5 * taken)
+            BASELINE.write_text(json.dumps({"digest": self.digest, "seconds": self.seconds}) + "\n")
+            print(f"{program}: passes in {taken:.1f} s of processor time", flush=True)
 
 
 def read_table(name):
@@ -178,7 +190,9 @@ def key(mutation):
 
 
 def named_mutations():
-    return [places.Mutation(path, text, 0, 0, text, changed) for path, text, changed in read_table("named.txt")]
+    """The mutations of named.txt, each with the program of tests that kills it: the first word of its reason."""
+    return [(places.Mutation(path, text, 0, 0, text, changed), reason.split()[0])
+            for (path, text, changed), reason in read_table("named.txt").items()]
 
 
 def place_of(mutation):
@@ -214,8 +228,8 @@ class Run:
         self.judged, self.equivalent, self.stillborn, self.skipped = [], [], 0, []
         self.tried = set()
 
-    def take(self, mutation):
-        """Judges a mutation that was drawn; whether it counts."""
+    def take(self, mutation, programs=None):
+        """Judges a mutation; whether it counts. All programs that know its room try it, or those that are given."""
         if (key(mutation), mutation.nth) in self.tried:
             return False
         self.tried.add((key(mutation), mutation.nth))
@@ -225,7 +239,7 @@ class Run:
         verdict = self.results.of(mutation)
         if verdict is None:
             started = time.monotonic()
-            verdict = judge(mutation, self.seconds, self.arguments.jobs)
+            verdict = judge(mutation, programs or programs_for(mutation.room), self.seconds, self.arguments.jobs)
             self.results.note(mutation, verdict)
             print(f"{verdict.state}{f' by {verdict.by}' if verdict.by else ''}, {time.monotonic() - started:.0f} s: "
                   f"{place_of(mutation)}\n  {mutation.text}\n  {mutation.changed}", flush=True)
@@ -319,13 +333,14 @@ def main():
             print(f"{place_of(mutation)}\n  {mutation.text}\n  {mutation.changed}")
         return
     try:
-        named_first = named_mutations()
+        named = named_mutations()
         copy_tree()
         configure()
-        draw = Run(arguments, Results(arguments.resume), measure(arguments.jobs))
-        named = []
-        for mutation in named_first:
-            draw.take(mutation)
+        baseline = Baseline(arguments.jobs)
+        baseline.measure(dict.fromkeys(program for _, program in named) if arguments.named else PROGRAMS)
+        draw = Run(arguments, Results(arguments.resume), baseline.seconds)
+        for mutation, program in named:
+            draw.take(mutation, [program])
         named, draw.judged = draw.judged, []
         if not arguments.named:
             draw.take_draw()
