@@ -227,6 +227,7 @@ class Run:
         self.equivalents = read_table("equivalents.txt")
         self.judged, self.equivalent, self.stillborn, self.skipped = [], [], 0, []
         self.tried = set()
+        self.started = time.monotonic()
 
     def take(self, mutation, programs=None):
         """Judges a mutation; whether it counts. All programs that know its room try it, or those that are given."""
@@ -253,16 +254,22 @@ class Run:
         every = places.places(ROOT)
         rooms, ranked = places.in_order(every, self.arguments.seed, self.arguments.a_room)
         self.skipped = sorted({mutation.room for mutation in every} - set(rooms))
-        for listed in rooms.values():
-            counted = 0
-            for mutation in listed:
-                counted += self.take(mutation)
-                if counted == self.arguments.a_room:
-                    break
+        # One of each room in turn, so that a run that is stopped has seen every room.
+        queues, counted = {room: iter(listing) for room, listing in rooms.items()}, dict.fromkeys(rooms, 0)
+        while queues and not self.is_late():
+            for room in list(queues):
+                mutation = next(queues[room], None)
+                if mutation is None or counted[room] == self.arguments.a_room:
+                    del queues[room]
+                elif not self.is_late():
+                    counted[room] += self.take(mutation)
         for mutation in ranked:
-            if len(self.judged) >= self.arguments.count:
+            if len(self.judged) >= self.arguments.count or self.is_late():
                 break
             self.take(mutation)
+
+    def is_late(self):
+        return self.arguments.minutes is not None and time.monotonic() - self.started > 60 * self.arguments.minutes
 
     def survivors(self):
         return [mutation for mutation, verdict in self.judged if verdict.state == "survived"]
@@ -292,6 +299,7 @@ def report(draw, named):
         "",
         f"**{killed} of {len(draw.judged)} mutants are killed ({100 * draw.share():.1f} %)**, of {len(places.places(ROOT))} places; "
         f"{len(draw.equivalent)} more that were drawn change nothing that anybody could see, and {draw.stillborn} do not compile.",
+        *([f"The run was stopped: {arguments.count} were asked for."] if len(draw.judged) < arguments.count else []),
         *([f"Rooms with too few places: {', '.join(draw.skipped)}."] if draw.skipped else []),
         f"Of {len(named)} that lived once (`tests/mutation/named.txt`), {sum(v.state == 'killed' for _, v in named)} are killed.",
         "",
@@ -320,6 +328,7 @@ def main():
     parser.add_argument("--seed", type=int, default=15, help="of the draw (15)")
     parser.add_argument("--count", type=int, default=60, help="mutants that are judged (60)")
     parser.add_argument("--a-room", type=int, default=5, help="of these, from every room at least (5)")
+    parser.add_argument("--minutes", type=float, help="begin no other mutant after so many, and report what there is")
     parser.add_argument("--least", type=float, default=90, help="per cent that must be killed (90)")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="compilers at a time")
     parser.add_argument("--resume", action="store_true", help="keep what the last run killed")
