@@ -65,7 +65,11 @@ template <class Depth, class Visibility>
 void soups(unsigned band) {
   using Traits = FlatTraits<Rgb565, Depth, Visibility>;
   const auto soup = [&](const char* name, std::uint32_t triangles, auto make) {
-    ::soup<Traits>(name, {.polygons = triangles, .active = std::min<std::uint32_t>(triangles, 600)}, band, {}, make);
+    ::soup<Traits>(name,
+                   {.polygons = triangles,
+                    .active = std::min<std::uint32_t>(triangles, 600),
+                    .awake = std::min<std::uint32_t>(triangles, 600)},
+                   band, {}, make);
   };
   const auto right_triangles = [](std::uint32_t leg, std::uint32_t count) {
     return [=](scenes::ScreenSoup target) { scenes::make_right_triangles(leg, count, Depth::bits, target); };
@@ -83,7 +87,7 @@ void layers(unsigned band) {
   using Traits = RendererTraits<Rgb565, Shaders, Depth24<>, Spanning>;
   Material glass;
   glass.opacity = 128;
-  soup<Traits>("S7A", {.polygons = 40, .active = 40, .layers = 40}, band, glass,
+  soup<Traits>("S7A", {.polygons = 40, .active = 40, .awake = 40, .layers = 40}, band, glass,
                [](scenes::ScreenSoup target) { scenes::make_full_screen_quads(true, 24, target); });
 }
 
@@ -92,22 +96,27 @@ void model(const char* name, ShadingMode shading, unsigned band) {
   const Mesh& mesh = spanline_models::bunny;
   const auto vertices = static_cast<std::uint32_t>(mesh.vertex_count());
   const scenes::ModelView view = scenes::model_view(mesh, Angle::from_degrees(30), 240, shading);
-  measure<Traits>(
-      name,
-      {.vertices = vertices, .shades = shading == ShadingMode::gouraud ? vertices : 0, .polygons = 1600, .active = 128},
-      band, [&](auto& renderer) {
-        (void)renderer.begin(view.settings);
-        if (!renderer.add(mesh, view.transform, view.material).ok()) board::write("bench: a pool is full\n");
-      });
+  measure<Traits>(name,
+                  {.vertices = vertices,
+                   .shades = shading == ShadingMode::gouraud ? vertices : 0,
+                   .polygons = 1600,
+                   .active = 128,
+                   .awake = 128},
+                  band, [&](auto& renderer) {
+                    (void)renderer.begin(view.settings);
+                    if (!renderer.add(mesh, view.transform, view.material).ok())
+                      board::write("bench: a pool is full\n");
+                  });
 }
 
 template <class Traits>
 void wall(unsigned band) {
   namespace scene = scenes::textured_wall;
-  measure<Traits>("S6", {.vertices = 4, .textures = 4, .polygons = 2, .active = 2}, band, [&](auto& renderer) {
-    (void)renderer.begin(scene::settings());
-    if (!renderer.add(scene::mesh, {}, scene::material).ok()) board::write("bench: a pool is full\n");
-  });
+  measure<Traits>("S6", {.vertices = 4, .textures = 4, .polygons = 2, .active = 2, .awake = 2}, band,
+                  [&](auto& renderer) {
+                    (void)renderer.begin(scene::settings());
+                    if (!renderer.add(scene::mesh, {}, scene::material).ok()) board::write("bench: a pool is full\n");
+                  });
 }
 
 /// S6F: the same wall, lit and in fog.
@@ -116,7 +125,8 @@ void foggy_wall(unsigned band) {
   namespace scene = scenes::textured_wall;
   using Shaders = ShaderList<GouraudShader<Rgb565>, FoggedTextureShader<Rgb565, TexelFormat::rgb565>>;
   measure<RendererTraits<Rgb565, Shaders, Depth, Visibility>>(
-      "S6F", {.vertices = 4, .shades = 4, .textures = 4, .polygons = 2, .active = 2}, band, [&](auto& renderer) {
+      "S6F", {.vertices = 4, .shades = 4, .textures = 4, .polygons = 2, .active = 2, .awake = 2}, band,
+      [&](auto& renderer) {
         (void)renderer.begin(scene::fogged_settings());
         if (!renderer.add(scene::lit_mesh, {}, scene::lit_material).ok()) board::write("bench: a pool is full\n");
       });
@@ -130,17 +140,24 @@ void hidden_walls() {
   Material material = scene::material;
   material.texturing.filter = TextureFilter::bilinear;
   constexpr std::uint32_t corners = 4 * walls, triangles = 2 * walls;
-  measure<GeneralTraits<Rgb565, Depth16<>, Visibility>>(
-      "S8", {.instances = walls, .vertices = corners, .textures = corners, .polygons = triangles, .active = triangles},
-      16, [&](auto& renderer) {
-        (void)renderer.begin(scene::settings());
-        for (std::uint32_t i = 0; i < walls; ++i) {
-          // Scaled about the eye, a wall covers the same pixels.
-          Transform farther;
-          farther.scale = Fixed<24>::from_ratio(static_cast<std::int32_t>(8 - i), 4);
-          if (!renderer.add(scene::mesh, farther, material).ok()) board::write("bench: a pool is full\n");
-        }
-      });
+  measure<GeneralTraits<Rgb565, Depth16<>, Visibility>>("S8",
+                                                        {.instances = walls,
+                                                         .vertices = corners,
+                                                         .textures = corners,
+                                                         .polygons = triangles,
+                                                         .active = triangles,
+                                                         .awake = triangles},
+                                                        16, [&](auto& renderer) {
+                                                          (void)renderer.begin(scene::settings());
+                                                          for (std::uint32_t i = 0; i < walls; ++i) {
+                                                            // Scaled about the eye, a wall covers the same pixels.
+                                                            Transform farther;
+                                                            farther.scale = Fixed<24>::from_ratio(
+                                                                static_cast<std::int32_t>(8 - i), 4);
+                                                            if (!renderer.add(scene::mesh, farther, material).ok())
+                                                              board::write("bench: a pool is full\n");
+                                                          }
+                                                        });
 }
 
 /// What surfaces cost, flat lit, by the renderer that has every opaque shader.
@@ -150,7 +167,7 @@ void surfaces(unsigned band) {
     FrameSettings settings = wall::fogged_settings();
     if (!surface.fog) settings.fog = {};
     settings.dither = surface.dither;
-    measure<GeneralTraits<>>(surface.name, {.vertices = 4, .textures = 4, .polygons = 2, .active = 2}, band,
+    measure<GeneralTraits<>>(surface.name, {.vertices = 4, .textures = 4, .polygons = 2, .active = 2, .awake = 2}, band,
                              [&](auto& renderer) {
                                (void)renderer.begin(settings);
                                if (!renderer.add(scenes::wall_surfaces::mesh, {}, surface.material).ok())

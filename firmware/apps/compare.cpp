@@ -52,7 +52,8 @@ void draw(const Case& c, unsigned band) {
                           .height = c.height,
                           .instances = most_triangles / most_a_call + 1,
                           .polygons = c.triangles,
-                          .active = std::min(c.triangles, measured::is_spanning<Traits> ? most_awake : most_active)};
+                          .active = std::min(c.triangles, most_active),
+                          .awake = std::min(c.triangles, most_awake)};
   const measured::Frame frame = measured::warm_frame<Traits>(capacity, band, memory, [&](auto& renderer) {
     FrameSettings settings;
     settings.cull = Cull::none;

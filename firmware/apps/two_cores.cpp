@@ -105,9 +105,10 @@ void bunny(const char* name, ShadingMode shading) {
   const Mesh& mesh = spanline_models::bunny;
   const auto vertices = static_cast<std::uint32_t>(mesh.vertex_count());
   const scenes::ModelView view = scenes::model_view(mesh, Angle::from_degrees(30), 240, shading);
-  share<Traits>(name, {.vertices = vertices, .shades = vertices, .polygons = 1600, .active = 128}, [&](auto& renderer) {
-    return renderer.begin(view.settings).ok() && renderer.add(mesh, view.transform, view.material).ok();
-  });
+  share<Traits>(name, {.vertices = vertices, .shades = vertices, .polygons = 1600, .active = 128, .awake = 128},
+                [&](auto& renderer) {
+                  return renderer.begin(view.settings).ok() && renderer.add(mesh, view.transform, view.material).ok();
+                });
 }
 
 template <class Depth, class Visibility>
@@ -117,14 +118,14 @@ void all() {
   bunny<Gouraud>("S5", ShadingMode::gouraud);
   const scenes::ScreenSoup soup{soup_vertices, soup_colours};
   scenes::make_right_triangles(32, 500, Depth::bits, soup);
-  share<Gouraud>("S2", {.polygons = 500, .active = 500}, [&](auto& renderer) {
+  share<Gouraud>("S2", {.polygons = 500, .active = 500, .awake = 500}, [&](auto& renderer) {
     FrameSettings settings;
     settings.cull = Cull::none;
     return renderer.begin(settings).ok() && renderer.add_screen(soup.vertices, soup.colours).ok();
   });
   namespace wall = scenes::textured_wall;
   share<TextureTraits<Rgb565, Depth, Visibility>>(
-      "S6", {.vertices = 4, .textures = 4, .polygons = 2, .active = 2}, [&](auto& renderer) {
+      "S6", {.vertices = 4, .textures = 4, .polygons = 2, .active = 2, .awake = 2}, [&](auto& renderer) {
         return renderer.begin(wall::settings()).ok() && renderer.add(wall::mesh, {}, wall::material).ok();
       });
 }

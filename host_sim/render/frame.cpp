@@ -58,6 +58,10 @@ void grow(Capacity& capacity, const Status& status) {
       return to(capacity.fans);
     case Pool::active:
       return to(capacity.active);
+    case Pool::awake:
+      return to(capacity.awake);
+    case Pool::fragments:
+      return to(capacity.fragments);
     case Pool::layers:
       return to(capacity.layers);
     case Pool::none:
@@ -145,11 +149,10 @@ std::vector<PointLight> to_core_points(const SceneLight& light) {
 }
 
 std::vector<std::pair<std::string, std::uint64_t>> named_peaks(const PoolPeaks& peaks) {
-  return {{"instances", peaks.instances},   {"vertices", peaks.vertices},
-          {"shades", peaks.shades},         {"textures", peaks.textures},
-          {"polygons", peaks.polygons},     {"fans", peaks.fans},
-          {"active", peaks.active},         {"layers", peaks.layers},
-          {"buckets", peaks.buckets},       {"colour_bands", peaks.colour_bands},
+  return {{"instances", peaks.instances},   {"vertices", peaks.vertices}, {"shades", peaks.shades},
+          {"textures", peaks.textures},     {"polygons", peaks.polygons}, {"fans", peaks.fans},
+          {"active", peaks.active},         {"awake", peaks.awake},       {"fragments", peaks.fragments},
+          {"layers", peaks.layers},         {"buckets", peaks.buckets},   {"colour_bands", peaks.colour_bands},
           {"depth_band", peaks.depth_band}, {"total", peaks.total()}};
 }
 
@@ -356,7 +359,7 @@ Result FrameRenderer::with_drawing(const FrameRequest& request, F f) {
       std::any_of(meshes_.begin(), meshes_.end(), [](const CoreMesh& mesh) { return !mesh.vertex_opacities.empty(); });
   if (request.smooth || with_opacities) capacity_.shades = std::max(capacity_.shades, capacity_.vertices);
   if (request.band_lines < request.size.height || !request.visibility->full_frame)
-    capacity_.active = std::max(capacity_.active, std::min(capacity_.polygons, first_active));
+    capacity_.active = capacity_.awake = std::max(capacity_.active, std::min(capacity_.polygons, first_active));
   return with_visibility(*request.visibility, [&]<class Visibility>() -> Result {
     const auto with = [&]<class Depth>(Depth*) {
       return f(FrameDrawing<Depth, Visibility>(request, meshes_, capacity_, memory_));

@@ -17,12 +17,9 @@ std::string to_json(const FrameStatistics& statistics) {
   json["pixels"] = visibility.pixels;
   json["spans"] = visibility.spans;
   json["depth_tests"] = visibility.depth_tests;
-  if (visibility.shaded != 0)
-    json["spanning"] = Json{{"shaded", visibility.shaded},
-                            {"decisions", visibility.decisions},
-                            {"crossings", visibility.crossings},
-                            {"order_repairs", visibility.order_repairs},
-                            {"sleeps", visibility.sleeps}};
+  if (!visibility.names.empty()) json["counters"] = Json::object();
+  for (std::size_t i = 0; i < visibility.names.size(); ++i)
+    json["counters"][std::string(visibility.names[i])] = visibility.own[i];
   json["peak_bytes"] = Json::object();
   for (const auto& [pool, bytes] : statistics.peak_bytes) json["peak_bytes"][pool] = bytes;
   return json.dump(2) + "\n";

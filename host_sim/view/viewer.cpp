@@ -105,6 +105,9 @@ class Viewer {
         static_cast<unsigned long long>(statistics.visibility.spans),
         static_cast<unsigned long long>(statistics.visibility.pixels), milliseconds);
     description_ = text.data();
+    const VisibilityCounters& counted = statistics.visibility;
+    for (std::size_t i = 0; i < counted.names.size(); ++i)
+      description_ += (i == 0 ? " | " : ", ") + std::to_string(counted.own[i]) + ' ' + std::string(counted.names[i]);
   }
 
   /// Says which triangle is at a pixel of the picture: in the title until the next frame, and on stdout.

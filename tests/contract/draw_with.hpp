@@ -26,7 +26,7 @@ inline Capacity capacity_of(const Scene& scene, const Manner& manner) {
   c.shades = c.textures = c.vertices;
   c.polygons = static_cast<std::uint32_t>(scene.polygon_count());
   constexpr std::uint32_t most_active = 4096;  // more than any of the scenes has on a row
-  c.active = manner.active.value_or(std::min(c.polygons, most_active));
+  c.active = c.awake = manner.active.value_or(std::min(c.polygons, most_active));
   return c;
 }
 
@@ -54,7 +54,7 @@ template <class Traits>
 Drawing draw_once(const Scene& scene, const Manner& manner, std::uint32_t layers) {
   using Depth = typename Traits::Depth;
   Capacity capacity = capacity_of(scene, manner);
-  capacity.layers = layers;
+  capacity.fragments = capacity.layers = layers;
   test::Studio<Traits> studio(capacity);
   std::vector<ScreenVertex> vertices = test::vertices_of(scene.triangles, 24, scene.width, scene.height);
   if constexpr (Depth::bits == 16)
@@ -90,7 +90,7 @@ template <class Traits>
 Drawing draw_with(const Scene& scene, const Manner& manner) {
   Drawing drawing = draw_once<Traits>(scene, manner, manner.layers.value_or(1000));
   // Twice at most: of two cores, each knows its own bands.
-  for (int again = 0; again < 2 && !manner.layers && drawing.status.pool == Pool::layers; ++again)
+  for (int again = 0; again < 2 && !manner.layers && is_of_layers(drawing.status.pool); ++again)
     drawing = draw_once<Traits>(scene, manner, drawing.status.wanted);
   return drawing;
 }

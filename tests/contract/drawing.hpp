@@ -53,4 +53,7 @@ struct Drawing {
 /// The same at 16 bits, ids alone; depths of screen triangles lose their low byte.
 [[nodiscard]] Drawing draw_16_bits(const sim::VisibilityEntry& algorithm, const Scene& scene);
 
+/// Whether a pool holds what is seen through: fragments of z-buffers, or layers of `span`.
+[[nodiscard]] inline bool is_of_layers(Pool pool) { return pool == Pool::fragments || pool == Pool::layers; }
+
 }  // namespace spanline::contract

@@ -57,7 +57,7 @@ class FullPool : public ::testing::TestWithParam<std::uint32_t> {
 TEST_P(FullPool, TheStatusNamesASizeThatIsEnough) {
   for_each_starved(test::rounds(24), [&](const Scene& scene, const Drawing& got) {
     ASSERT_EQ(got.status.fault, Fault::pool_full);
-    ASSERT_EQ(got.status.pool, Pool::active);
+    ASSERT_EQ(got.status.pool, Pool::awake);
     ASSERT_GT(got.status.wanted, GetParam());
     const Drawing whole = draw(span_, scene, with_room(got.status.wanted));
     ASSERT_TRUE(whole.status.ok()) << got.status.wanted << " were named, then " << whole.status.wanted;
@@ -77,7 +77,7 @@ TEST_P(FullPool, ThePictureIsTheSameEveryTimeAndInBandsOfAnyHeight) {
 
 TEST_P(FullPool, EveryPixelIsShadedOnceByAPolygonThatCoversIt) {
   for_each_starved(test::rounds(24), [&](const Scene& scene, const Drawing& got) {
-    ASSERT_EQ(got.counters.shaded, scene.pixel_count());
+    ASSERT_EQ(got.counters.named("shaded"), scene.pixel_count());
     ASSERT_EQ(garbage_pixels(scene, got), 0U);
   });
 }
@@ -95,7 +95,7 @@ TEST_P(FullPool, TheNearestPolygonsOfARowAreKept) {
         for (Corners& t : scene.triangles)
           for (Corner& c : t) c.y /= scene.height;  // rather than cut off what lies below
       const Drawing got = draw(span_, scene, with_room(GetParam()));
-      ASSERT_EQ(got.counters.sleeps, 0U);
+      ASSERT_EQ(got.counters.named("sleeps"), 0U);
       ASSERT_EQ(difference(brute_force(scene, GetParam()), got), "")
           << name << ", seed " << seed_of(generator(name), round) << '\n'
           << text_of(scene);
@@ -137,7 +137,7 @@ TEST(FullPoolWithoutRoom, ShowsTheBackgroundAndSaysWhatIsWanted) {
   Random random(1);
   const Scene scene = mixed_soup(random);
   const Drawing got = draw(algorithm("span"), scene, with_room(0));
-  EXPECT_EQ(got.status.pool, Pool::active);
+  EXPECT_EQ(got.status.pool, Pool::awake);
   EXPECT_EQ(got.pixels, std::vector<std::uint32_t>(scene.pixel_count(), 0));
   EXPECT_TRUE(draw(algorithm("span"), scene, with_room(got.status.wanted)).status.ok());
 }

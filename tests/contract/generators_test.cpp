@@ -53,7 +53,7 @@ TEST(NestedGenerator, MakesPolygonsSleep) {
   const int count = test::sample_size(80);
   for (int round = 0; round < count; ++round) {
     Random random(seed_of(generator("nested"), round));
-    const std::uint64_t here = draw(algorithm("span"), nested_polygons(random), {}).counters.sleeps;
+    const std::uint64_t here = draw(algorithm("span"), nested_polygons(random), {}).counters.named("sleeps");
     sleeps += here;
     if (here != 0) ++with_sleep;
   }

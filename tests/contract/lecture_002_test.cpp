@@ -169,7 +169,7 @@ TEST_F(PenetratingPolygons, ACrossingIsCountedForEveryRowThatTheFalseEdgeMeets) 
         std::count_if(row.edges.begin(), row.edges.end(), [](const auto& edge) { return edge.is_false; }));
   }
   EXPECT_GT(rows, 20U);
-  EXPECT_EQ(draw(algorithm("span"), figure_.scene, {}).counters.crossings, rows);
+  EXPECT_EQ(draw(algorithm("span"), figure_.scene, {}).counters.named("crossings"), rows);
 }
 
 TEST_F(PenetratingPolygons, EveryAlgorithmDrawsThem) {

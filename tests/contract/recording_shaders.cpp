@@ -75,7 +75,7 @@ struct Sink {
 
 Written record_scene(const Scene& scene, int band_lines, std::uint32_t active, std::vector<Span>& spans) {
   Capacity capacity = test::screen_capacity(scene.width, scene.height, scene.triangles.size(), band_lines);
-  capacity.active = active;
+  capacity.awake = active;
   test::Studio<Traits> studio(capacity);
   const auto vertices = test::vertices_of(scene.triangles, 24, scene.width, scene.height);
   const std::vector<std::uint16_t> colours(scene.triangles.size());

@@ -43,7 +43,7 @@ bool is_inside(const Drawing& owners, int x, int y) {
 
 std::string wrong_count(const Drawing& drawing) {
   if (!drawing.shades_once) return {};
-  const std::uint64_t want = drawing.pixels.size(), got = drawing.counters.shaded;
+  const std::uint64_t want = drawing.pixels.size(), got = drawing.counters.named("shaded");
   return got == want ? "" : std::to_string(got) + " pixels shaded of " + std::to_string(want);
 }
 

@@ -60,15 +60,15 @@ std::string starved_fault(const Case& drawn, const sim::VisibilityEntry& entry, 
   manner.active = drawn.active;
   if (layers) manner.layers = drawn.active;
   const contract::Drawing got = contract::draw(entry, drawn.scene, manner);
-  if (got.shades_once && got.counters.shaded != drawn.scene.pixel_count()) return "not every pixel once";
+  if (got.shades_once && got.counters.named("shaded") != drawn.scene.pixel_count()) return "not every pixel once";
   if (got.status.ok()) return contract::difference(want, got);
-  if (layers && got.status.pool == Pool::layers) {
+  if (layers && contract::is_of_layers(got.status.pool)) {
     manner.active.reset();
     manner.layers = got.status.wanted;
     const contract::Drawing fed = contract::draw(entry, drawn.scene, manner);
     return fed.status.ok() ? contract::difference(want, fed) : "the size that was named for layers is not enough";
   }
-  if (got.status.pool != Pool::active) return "a status that names another pool";
+  if (got.status.pool != Pool::active && got.status.pool != Pool::awake) return "a status that names another pool";
   if (layers) manner.layers.reset();
   if (!layers && contract::garbage_pixels(drawn.scene, got) != 0) return "garbage where the pool ran full";
   manner.active = got.status.wanted;
@@ -124,7 +124,8 @@ std::string fault_in(const Case& drawn) {
     if (contract::exactness_of(entry) != contract::Exactness::exact) continue;
     const contract::Drawing got = contract::draw(entry, scene, drawn.manner);
     fault = got.status.ok() ? contract::difference(want, got) : "a pool that was large enough ran full";
-    if (fault.empty() && got.shades_once && got.counters.shaded != scene.pixel_count()) fault = "not every pixel once";
+    if (fault.empty() && got.shades_once && got.counters.named("shaded") != scene.pixel_count())
+      fault = "not every pixel once";
     if (fault.empty() && drawn.active != 0) fault = starved_fault(drawn, entry, want);
     if (!fault.empty()) return std::string(entry.name) + ": " + fault + "\n" + contract::text_of(scene);
   }

@@ -40,6 +40,7 @@ struct BandScene {
   std::span<const ShadingGroup> shading;  ///< one a group of the table
   Pixel background;                       ///< where no polygon is
   VisibilityCounters* counters;           ///< written where the traits count
+  const World* world;                     ///< null where the algorithm takes screen polygons alone
 };
 
 /// A sink behind which hardware fills memory while the core goes on. `fill(value, count, words)` starts it, two at a
@@ -67,7 +68,8 @@ class BandDrawer {
   /// The visibility algorithm.
   using Visibility = typename Traits::Visibility::template Algorithm<typename Traits::Depth, Pixel,
                                                                      typename Traits::Shaders, Traits::statistics>;
-  static_assert(VisibilityAlgorithm<Visibility, Arena, Capacity>);
+  static_assert(VisibilityAlgorithm<Visibility, ShadingGroup>,
+                "the traits' Visibility lacks what visibility/algorithm.hpp asks for");
 
   /// Its part of the caller's memory.
   struct Pools {
@@ -102,7 +104,7 @@ class BandDrawer {
   /// FillingSink clears each band while the one above it is drawn.
   template <class Sink>
   Status draw(const Scene& scene, BandShare share, Sink& sink) {
-    start(share);
+    start(scene, share);
     for (std::uint32_t band = 0; band < capacity_.bands(); ++band) {
       if (!draws(band)) {
         skip_band(scene, band);
@@ -118,9 +120,10 @@ class BandDrawer {
   // The steps of `draw`.
 
   /// Begins a frame, or somebody's share of one.
-  void start(BandShare share) {
+  void start(const Scene& scene, BandShare share) {
     share_ = share;
-    visibility_.begin_frame();
+    if (scene.counters != nullptr) scene.counters->names = Visibility::counter_names;
+    visibility_.begin_frame(input(scene));
   }
   /// Whether a band belongs to the share.
   [[nodiscard]] bool draws(std::uint32_t band) const {
@@ -162,11 +165,8 @@ class BandDrawer {
   Status end(const Scene& scene) {
     forget_clears();
     first_buffer_ = static_cast<std::uint8_t>(buffer_of(capacity_.bands()));
-    if (visibility_.overflowed())
-      return {Fault::pool_full, Pool::active, Visibility::wanted(scene.table, viewport(), capacity_.band_lines)};
-    if constexpr (Traits::Shaders::see_through) {
-      if (visibility_.layers_overflowed()) return {Fault::pool_full, Pool::layers, visibility_.layers_wanted()};
-    }
+    const PoolShortage shortage = visibility_.shortage(input(scene));
+    if (shortage.pool != Pool::none) return {Fault::pool_full, shortage.pool, shortage.wanted};
     return {};
   }
 
@@ -184,6 +184,9 @@ class BandDrawer {
   [[nodiscard]] const Visibility& visibility() const { return visibility_; }
 
  private:
+  [[nodiscard]] FrameInput input(const Scene& scene) const {
+    return {scene.table, viewport(), capacity_.band_lines, scene.world};
+  }
   static constexpr std::uint16_t none = 0xffff;
 
   /// Waits for a band's buffer and has it cleared.

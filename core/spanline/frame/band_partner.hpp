@@ -93,7 +93,10 @@ class BandPartner {
   /// As Renderer::colour_band, of the partner.
   [[nodiscard]] std::span<Pixel> colour_band(unsigned buffer) const { return drawer_.colour_band(buffer); }
   /// What visibility did in the odd bands, where the traits count it.
-  [[nodiscard]] const VisibilityCounters& counters() const { return counters_; }
+  [[nodiscard]] VisibilityCounters counters() const {
+    if constexpr (Traits::statistics) return counters_;
+    return {};
+  }
 
  private:
   static constexpr bool copies = Drawer::Visibility::takes_table_apart;
@@ -115,7 +118,7 @@ class BandPartner {
   PolygonTable table_{};
   std::span<PolygonReference> references_;
   std::span<Link> buckets_;
-  VisibilityCounters counters_{};
+  [[no_unique_address]] typename Renderer<Traits>::Counters counters_{};
   bool taken_ = false;
 };
 

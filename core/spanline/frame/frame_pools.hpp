@@ -10,6 +10,7 @@
 #include "spanline/geometry/polygon_assembly.hpp"
 #include "spanline/memory/arena.hpp"
 #include "spanline/memory/capacity.hpp"
+#include "spanline/memory/pool_peaks.hpp"
 #include "spanline/raster/link.hpp"
 
 namespace spanline {

@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include "spanline/frame/band_drawer.hpp"
 #include "spanline/frame/frame_pools.hpp"
@@ -108,7 +109,8 @@ class Renderer {
     ready_ = false;
     drawer_.forget_clears();
     table_.clear();
-    statistics_ = {};
+    counts_ = {};
+    counters_ = {};
     peaks_ = {};
     pools_.used = {};
     if (!status_.ok()) return status_;
@@ -137,8 +139,8 @@ class Renderer {
 
     const InstanceGeometry geometry(view_, mesh, transform);
     if (geometry.placement() == Placement::outside) {
-      statistics_.polygons.total += static_cast<std::uint32_t>(mesh.triangle_count());
-      statistics_.polygons.outside += static_cast<std::uint32_t>(mesh.triangle_count());
+      counts_.total += static_cast<std::uint32_t>(mesh.triangle_count());
+      counts_.outside += static_cast<std::uint32_t>(mesh.triangle_count());
       return {};
     }
     const bool shaded = Set::needs_shades(mesh, material);
@@ -223,7 +225,7 @@ class Renderer {
 
   /// The steps of `draw`, for programs with a loop of their own (benchmarks): start, then for each band in order clear
   /// and draw, then end.
-  void start_bands() { drawer_.start(BandShare::all); }
+  void start_bands() { drawer_.start(scene(), BandShare::all); }
   /// Prepares a band, [0, `capacity().bands()`).
   void clear_band(std::uint32_t band) { drawer_.clear_band(scene(), band); }
   /// Draws a band that was cleared. The sink is told of covered triangles alone.
@@ -241,7 +243,10 @@ class Renderer {
   /// does not exist. Frames use them in turn; with three and more the next frame goes on where the last one ended.
   [[nodiscard]] std::span<Pixel> colour_band(unsigned buffer) const { return drawer_.colour_band(buffer); }
   /// Numbers of the frame so far, complete behind `draw`.
-  [[nodiscard]] const Statistics& statistics() const { return statistics_; }
+  [[nodiscard]] Statistics statistics() const {
+    if constexpr (Traits::statistics) return {counts_, counters_};
+    return {counts_, {}};
+  }
   /// Bytes of each pool that the last frame took.
   [[nodiscard]] const PoolPeaks& peaks() const { return peaks_; }
   /// The sizes that it was made for.
@@ -249,6 +254,8 @@ class Renderer {
 
  private:
   friend class BandPartner<Traits>;
+  struct NoCounters {};
+  using Counters = std::conditional_t<Traits::statistics, VisibilityCounters, NoCounters>;
   using Visibility = typename BandDrawer<Traits>::Visibility;
   using Set = ShaderSet<Traits>;
   [[nodiscard]] Viewport viewport() const { return {capacity().width, capacity().height}; }
@@ -258,9 +265,12 @@ class Renderer {
            (camera.projection == Projection::orthographic || camera.near_plane.raw() > 0);
   }
 
-  [[nodiscard]] BandScene<Pixel> scene() { return scene(table_, statistics_.visibility); }
-  [[nodiscard]] BandScene<Pixel> scene(PolygonTable& table, VisibilityCounters& counters) const {
-    return {table, pools_.shading, background_, &counters};
+  [[nodiscard]] BandScene<Pixel> scene() { return scene(table_, counters_); }
+  [[nodiscard]] BandScene<Pixel> scene(PolygonTable& table, Counters& counters) const {
+    if constexpr (Traits::statistics)
+      return {table, pools_.shading, background_, &counters, nullptr};
+    else
+      return {table, pools_.shading, background_, nullptr, nullptr};
   }
   template <class Sink>
   Status draw_share(BandShare share, Sink& sink) {
@@ -303,22 +313,17 @@ class Renderer {
   }
 
   Status finish(const PolygonAssembly& assembly, std::uint32_t vertices_missing, bool shaded, bool textured) {
-    statistics_.polygons.total += assembly.counts.total;
-    statistics_.polygons.outside += assembly.counts.outside;
-    statistics_.polygons.back += assembly.counts.back;
+    counts_.total += assembly.counts.total;
+    counts_.outside += assembly.counts.outside;
+    counts_.back += assembly.counts.back;
     return pools_.missing(assembly, vertices_missing, shaded, textured);
   }
 
   void note_peaks() {
     peaks_ = pools_.taken(table_);
-    peaks_.active = Visibility::Memory::bytes(drawer_.visibility().peak());
-    if constexpr (Shaders::see_through)
-      peaks_.layers = Visibility::Memory::layer_bytes(
-          std::min<std::size_t>(drawer_.visibility().layers_wanted(), capacity().layers));
     peaks_.colour_bands = drawer_.pools().colour.size_bytes();
     peaks_.depth_band = Visibility::tests_depth ? drawer_.pools().depth.size_bytes() : 0;
-    if constexpr (requires(const typename Visibility::Memory& memory) { memory.band_bytes(); })
-      peaks_.depth_band += drawer_.pools().visibility.band_bytes();
+    drawer_.visibility().note_peaks(peaks_);
   }
 
   BandDrawer<Traits> drawer_;
@@ -331,7 +336,8 @@ class Renderer {
   Cull cull_{};
   Pixel background_{};
   FrameView view_{};
-  Statistics statistics_{};
+  PolygonCounts counts_{};
+  [[no_unique_address]] Counters counters_{};
   PoolPeaks peaks_{};
 };
 

@@ -11,22 +11,9 @@
 /// ```
 #include <cstdint>
 
-namespace spanline {
+#include "spanline/memory/pool.hpp"
 
-/// The renderer's pools: parts of the caller's memory.
-/// Capacity's fields of the same names say what they hold.
-enum class Pool : std::uint8_t {
-  none,       ///< no pool is meant
-  memory,     ///< all of it: the memory that the renderer was given
-  instances,  ///< `Capacity::instances`
-  vertices,   ///< `Capacity::vertices`
-  shades,     ///< `Capacity::shades`
-  textures,   ///< `Capacity::textures`
-  polygons,   ///< `Capacity::polygons`
-  fans,       ///< `Capacity::fans`
-  active,     ///< `Capacity::active`
-  layers,     ///< `Capacity::layers`
-};
+namespace spanline {
 
 /// What went wrong.
 enum class Fault : std::uint8_t {
@@ -50,12 +37,6 @@ struct [[nodiscard]] Status {
   friend constexpr bool operator==(const Status&, const Status&) = default;
 };
 
-/// The pool's name in Capacity, for messages.
-[[nodiscard]] constexpr const char* to_string(Pool pool) {
-  constexpr const char* names[] = {"none",     "memory",   "instances", "vertices", "shades",
-                                   "textures", "polygons", "fans",      "active",   "layers"};
-  return names[static_cast<unsigned>(pool)];
-}
 /// A short English name of the fault, for messages.
 [[nodiscard]] constexpr const char* to_string(Fault fault) {
   constexpr const char* names[] = {"none",           "pool full",   "bad configuration", "bad settings",

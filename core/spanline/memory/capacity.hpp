@@ -10,7 +10,6 @@
 /// constexpr Capacity size{.width = 160, .height = 128, .vertices = 8, .polygons = 6, .fans = 6, .active = 6};
 /// static_assert(Renderer<FlatTraits<>>::bytes_needed(size) < 20 * 1024);
 /// ```
-#include <cstddef>
 #include <cstdint>
 
 namespace spanline {
@@ -28,10 +27,11 @@ struct Capacity {
   std::uint32_t textures = 0;     ///< vertices of textured instances, and what clipping adds
   std::uint32_t polygons = 0;     ///< triangles that face the eye
   std::uint32_t fans = 0;    ///< of these, the pieces of clipped triangles and of polygons with more than three corners
-  std::uint32_t active = 0;  ///< z-buffers: polygons that reach across a band's lower edge; none with a single band.
-                             ///< Spanning: polygons awake on a row
-  std::uint32_t layers = 0;  ///< renderers with see-through shaders. z-buffers: fragments of a band whose colours mix
-                             ///< with those behind. Spanning: see-through polygons awake on a row
+  std::uint32_t active = 0;  ///< z-buffers: polygons that reach across a band's lower edge; none with a single band
+  std::uint32_t awake = 0;   ///< `span`: polygons awake on a row
+  std::uint32_t fragments = 0;  ///< z-buffers with see-through shaders: fragments of a band whose colours mix with
+                                ///< those behind
+  std::uint32_t layers = 0;     ///< `span` with see-through shaders: see-through polygons awake on a row
 
   /// How many bands a picture has.
   [[nodiscard]] constexpr std::uint32_t bands() const {
@@ -41,26 +41,6 @@ struct Capacity {
   [[nodiscard]] constexpr bool valid() const {
     return width >= 1 && width <= 2047 && height >= 1 && height <= 2047 && band_lines >= 1 && band_lines <= height &&
            colour_bands >= 1 && colour_bands <= 16 && (depth_bands == 1 || depth_bands == 2);
-  }
-};
-
-/// Bytes in use at most, pool by pool.
-struct PoolPeaks {
-  std::size_t instances = 0;     ///< bytes of `Capacity::instances`
-  std::size_t vertices = 0;      ///< bytes of `Capacity::vertices`
-  std::size_t shades = 0;        ///< bytes of `Capacity::shades`
-  std::size_t textures = 0;      ///< bytes of `Capacity::textures`
-  std::size_t polygons = 0;      ///< bytes of `Capacity::polygons`
-  std::size_t fans = 0;          ///< bytes of `Capacity::fans`
-  std::size_t active = 0;        ///< bytes of `Capacity::active`
-  std::size_t layers = 0;        ///< bytes of `Capacity::layers`
-  std::size_t buckets = 0;       ///< bytes of the table in which polygons are sorted by their first row
-  std::size_t colour_bands = 0;  ///< bytes of all bands of pixels
-  std::size_t depth_band = 0;    ///< bytes of all bands of depths, and what an algorithm keeps a band
-  /// Bytes of all of them.
-  [[nodiscard]] constexpr std::size_t total() const {
-    return instances + vertices + shades + textures + polygons + fans + active + layers + buckets + colour_bands +
-           depth_band;
   }
 };
 

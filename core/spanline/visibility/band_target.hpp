@@ -2,7 +2,6 @@
 #include <cstdint>
 
 #include "spanline/visibility/counters.hpp"
-#include "spanline/visibility/zbuffer/depth_bounds.hpp"
 
 namespace spanline {
 
@@ -16,7 +15,6 @@ struct BandTarget {
   std::int32_t end_row;
   Pixel background;
   VisibilityCounters* counters = nullptr;  ///< for Counting only
-  DepthBounds<Depth>* bounds = nullptr;    ///< for z-buffers with bounds only
 };
 
 }  // namespace spanline

@@ -4,6 +4,7 @@
 #include "spanline/visibility/band_target.hpp"
 #include "spanline/visibility/counters.hpp"
 #include "spanline/visibility/span/awake_polygon.hpp"
+#include "spanline/visibility/span/spanning_counters.hpp"
 
 namespace spanline {
 
@@ -37,7 +38,7 @@ class DepthOrder {
   /// a divide. Both have planes.
   [[nodiscard, gnu::noinline]] std::int32_t crossing(const AwakePolygon& front, const AwakePolygon& other,
                                                      std::int32_t low, std::int32_t high) {
-    if constexpr (Counting) ++counters_->crossings;
+    if constexpr (Counting) ++counters_->own[SpanningCounter::crossings];
     const std::uint32_t depth_front = front.depth_at(0, row_), depth_other = other.depth_at(0, row_);
     const bool wins_ties = other.number < front.number;
     while (high - low > 1) {

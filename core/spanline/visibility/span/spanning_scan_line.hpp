@@ -4,18 +4,21 @@
 #include <cstdint>
 #include <new>
 #include <span>
+#include <string_view>
 
 #include "spanline/raster/link.hpp"
 #include "spanline/raster/make_surface.hpp"
 #include "spanline/raster/plane_equation.hpp"
 #include "spanline/raster/polygon_table.hpp"
 #include "spanline/raster/surface_blocks.hpp"
+#include "spanline/visibility/algorithm.hpp"
 #include "spanline/visibility/band_target.hpp"
 #include "spanline/visibility/span/active_edge_table.hpp"
 #include "spanline/visibility/span/layer_sweep.hpp"
 #include "spanline/visibility/span/polygons_on_rows.hpp"
 #include "spanline/visibility/span/row_sweep.hpp"
 #include "spanline/visibility/span/sleep.hpp"
+#include "spanline/visibility/span/spanning_counters.hpp"
 #include "spanline/visibility/span/wake_bucket.hpp"
 
 namespace spanline {
@@ -40,7 +43,11 @@ class SpanningScanLine {
   using Target = BandTarget<Depth, Pixel>;
 
   /// Depths are kept for Counting alone, for others to look at: nothing here reads them.
+  static constexpr AlgorithmNeeds needs = AlgorithmNeeds::screen_polygons;
   static constexpr bool keeps_depth = Counting, tests_depth = false, takes_table_apart = true, clears_ahead = true;
+
+  using Counter = SpanningCounter;
+  static constexpr auto& counter_names = spanning_counter_names;
 
   struct Entry : AwakePolygon {
     Surface surface;
@@ -55,44 +62,38 @@ class SpanningScanLine {
 
   /// The memory of the algorithm, cut off an arena.
   struct Memory {
-    std::span<Entry> active;
+    std::span<Entry> awake;
     std::span<AwakeKey> keys;
     [[no_unique_address]] std::conditional_t<has_layers, LayerMemory, NoLayerMemory> layers;
 
-    template <class Arena, class Capacity>
     constexpr void take(Arena& arena, const Capacity& capacity) {
-      active = arena.template take<Entry>(capacity.active);
-      keys = arena.template take<AwakeKey>(2 * (std::size_t{capacity.active} + 2));
+      awake = arena.take<Entry>(capacity.awake);
+      keys = arena.take<AwakeKey>(2 * (std::size_t{capacity.awake} + 2));
       if constexpr (has_layers) {
-        layers.records = arena.template take<Entry>(capacity.layers);
-        layers.keys = arena.template take<AwakeKey>(2 * (std::size_t{capacity.layers} + 2));
+        layers.records = arena.take<Entry>(capacity.layers);
+        layers.keys = arena.take<AwakeKey>(2 * (std::size_t{capacity.layers} + 2));
       }
     }
     /// Bytes of `count` awake polygons.
     [[nodiscard]] static constexpr std::size_t bytes(std::size_t count) {
       return count * sizeof(Entry) + 2 * (count + 2) * sizeof(AwakeKey);
     }
-    [[nodiscard]] static constexpr std::size_t layer_bytes(std::size_t count) { return has_layers ? bytes(count) : 0; }
   };
 
   /// Whether keys can address that many awake polygons.
-  template <class Capacity>
   [[nodiscard]] static constexpr bool takes(const Capacity& capacity) {
-    const std::size_t most = capacity.active > capacity.layers ? capacity.active : capacity.layers;
+    const std::size_t most = capacity.awake > capacity.layers ? capacity.awake : capacity.layers;
     return most * sizeof(Entry) <= awake_key::largest_offset;
   }
   /// The polygon table's buckets hold one row each.
-  template <class Capacity>
-  [[nodiscard]] static constexpr std::uint32_t bucket_lines(const Capacity&) {
-    return 1;
-  }
+  [[nodiscard]] static constexpr std::uint32_t bucket_lines(const Capacity&) { return 1; }
 
   SpanningScanLine() = default;
   explicit SpanningScanLine(const Memory& memory) : memory_(memory) {}
 
   /// Before the first band of a frame.
-  void begin_frame() {
-    table_.begin_frame(memory_.keys, reinterpret_cast<std::byte*>(memory_.active.data()), memory_.active.size(),
+  void begin_frame(const FrameInput& /*input*/) {
+    table_.begin_frame(memory_.keys, reinterpret_cast<std::byte*>(memory_.awake.data()), memory_.awake.size(),
                        sizeof(Entry));
     overflowed_ = false;
     if constexpr (has_layers) {
@@ -116,7 +117,6 @@ class SpanningScanLine {
       rows.draw_with_layers();
     else
       rows.draw();
-    note_wanted_layers(table, viewport);
   }
 
   /// Steps over a band that somebody else draws; of its target, rows and width count. Nothing falls asleep in it.
@@ -135,22 +135,18 @@ class SpanningScanLine {
       }
       static_cast<void>(table_.step(source, row));
     }
-    note_wanted_layers(table, viewport);
   }
 
-  [[nodiscard]] bool overflowed() const { return overflowed_; }
-  /// Polygons awake at most.
-  [[nodiscard]] std::uint32_t peak() const { return table_.peak(); }
-  /// How many awake polygons the frame would have had room for at most.
-  [[nodiscard]] static std::uint32_t wanted(const PolygonTable& table, Viewport viewport, std::int32_t) {
-    return polygons_on_rows(table, viewport);
+  /// Polygons that found no record: those of a row are all that a pool has to hold at most.
+  [[nodiscard]] PoolShortage shortage(const FrameInput& input) const {
+    if (overflowed_) return {Pool::awake, polygons_on_rows(input.table, input.viewport)};
+    if (layers_.overflowed) return {Pool::layers, polygons_on_rows(input.table, input.viewport, true)};
+    return {};
   }
-  /// See-through polygons awake at most; where there was no room for all, how many there would have been.
-  [[nodiscard]] std::uint32_t layers_wanted() const {
-    if constexpr (has_layers) return layers_.overflowed ? layers_.wanted : layers_.table.peak();
-    return 0;
+  void note_peaks(PoolPeaks& peaks) const {
+    peaks.awake = Memory::bytes(table_.peak());
+    if constexpr (has_layers) peaks.layers = Memory::bytes(layers_.table.peak());
   }
-  [[nodiscard]] bool layers_overflowed() const { return layers_.overflowed; }
 
  private:
   void note(WokenWithLayers woken) {
@@ -159,12 +155,6 @@ class SpanningScanLine {
       if (woken.waiting != no_link) layers_.overflowed = true;
     }
   }
-  void note_wanted_layers([[maybe_unused]] const PolygonTable& table, [[maybe_unused]] Viewport viewport) {
-    if constexpr (has_layers) {
-      if (layers_.overflowed) layers_.wanted = polygons_on_rows(table, viewport, true);
-    }
-  }
-
   /// Bounds keep clear of the plane's rounding: at most half a guard unit a pixel of the way from the anchor, which the
   /// largest picture makes 1,024, and 2 units of 24-bit depth or 1 of 16-bit depth for fast set-ups.
   static constexpr std::uint32_t depth_unit = 1u << Depth::guard_bits;
@@ -173,11 +163,9 @@ class SpanningScanLine {
 
   struct LayerTable {
     ActiveEdgeTable table;
-    std::uint32_t wanted = 0;
     bool overflowed = false;
   };
   struct NoLayerTable {
-    static constexpr std::uint32_t wanted = 0;
     static constexpr bool overflowed = false;
   };
 
@@ -206,7 +194,7 @@ class SpanningScanLine {
       for (row = target.first_row - row_bias; row < end; ++row, line += target.width) {
         if (!wake_bucket(edges, *this, row, margin)) algorithm.overflowed_ = true;
         const std::uint32_t repairs = edges.step(*this, row);
-        if constexpr (Counting) target.counters->order_repairs += repairs;
+        if constexpr (Counting) target.counters->own[Counter::order_repairs] += repairs;
         sweep.run(edges, row);
       }
     }
@@ -223,7 +211,7 @@ class SpanningScanLine {
         const WokenWithLayers woken = wake_bucket(edges, layers, *this, row, margin);
         algorithm.note(woken);
         const std::uint32_t repairs = edges.step(*this, row) + layers.step(*this, row);
-        if constexpr (Counting) target.counters->order_repairs += repairs;
+        if constexpr (Counting) target.counters->own[Counter::order_repairs] += repairs;
         over_spans.begin_row(layers, row);
         sweep.run(edges, row);
         if (woken.waiting != no_link) lay_waiting(woken.waiting, sweep, over_spans);
@@ -306,7 +294,7 @@ class SpanningScanLine {
     void begins([[maybe_unused]] const AwakePolygon& polygon) {
       if constexpr (Counting) {
         if (again() && !this->table.groups[polygon.group].see_through) return;
-        ++target.counters->decisions;
+        ++target.counters->own[Counter::decisions];
         covered(shading[polygon.group].first_id + this->corners(polygon).triangle);
       }
     }
@@ -314,12 +302,12 @@ class SpanningScanLine {
     void hidden(AwakePolygon& polygon, const AwakePolygon& front) {
       if (polygon.turn_row - row <= polygon_sleep::least_rows || row < polygon.retry_row) return;
       [[maybe_unused]] const bool sleeps = polygon_sleep::fall_asleep(polygon, front, this->table, row, target.width);
-      if constexpr (Counting) target.counters->sleeps += sleeps;
+      if constexpr (Counting) target.counters->own[Counter::sleeps] += sleeps;
     }
 
     [[nodiscard]] typename Depth::Word* depth_line() const { return target.depth + (line - target.pixels); }
     void count_background(std::int32_t begin, std::int32_t end) {
-      target.counters->shaded += word(end - begin);
+      target.counters->own[Counter::shaded] += word(end - begin);
       std::fill(depth_line() + begin, depth_line() + end, Depth::clear);
     }
     /// Depths are those of opaque pixels, as a z-buffer keeps them.
@@ -352,7 +340,7 @@ class SpanningScanLine {
     void count(AwakePolygon& polygon, std::int32_t begin, std::int32_t end) {
       ++target.counters->spans;
       target.counters->pixels += word(end - begin);
-      target.counters->shaded += word(end - begin);
+      target.counters->own[Counter::shaded] += word(end - begin);
       if (!polygon.has_plane) make_plane<Depth>(polygon, *this);
       for (std::int32_t column = begin; column < end; ++column) put_depth(polygon, column);
     }

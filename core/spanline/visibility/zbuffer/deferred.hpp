@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <new>
 #include <span>
+#include <string_view>
 
 #include "spanline/raster/link.hpp"
 #include "spanline/raster/make_surface.hpp"
@@ -36,34 +37,24 @@ class DeferredDepthBuffer {
 
  public:
   using Target = BandTarget<Depth, Pixel>;
+  static constexpr AlgorithmNeeds needs = AlgorithmNeeds::screen_polygons;
   static constexpr bool keeps_depth = true, tests_depth = true, takes_table_apart = false;
-  static constexpr bool clears_ahead = false;  // there is one item buffer
+  static constexpr bool clears_ahead = false;                      // there is one item buffer
+  static constexpr std::string_view counter_names[] = {"shaded"};  ///< pixels that were shaded, the background's too
 
   struct Memory {
     typename Items::Memory depth_buffer;
     std::span<Link> items;  ///< of a band
     std::span<KeptSurface> kept;
 
-    template <class Arena, class Capacity>
     constexpr void take(Arena& arena, const Capacity& capacity) {
       depth_buffer.take(arena, capacity);
-      items = arena.template take<Link>(std::size_t{capacity.width} * capacity.band_lines);
-      kept = arena.template take<KeptSurface>(Kept);
+      items = arena.take<Link>(std::size_t{capacity.width} * capacity.band_lines);
+      kept = arena.take<KeptSurface>(Kept);
     }
-    /// Bytes of `count` active polygons, and of the surfaces that are kept.
-    [[nodiscard]] static constexpr std::size_t bytes(std::size_t count) {
-      return Items::Memory::bytes(count) + Kept * sizeof(KeptSurface);
-    }
-    [[nodiscard]] static constexpr std::size_t layer_bytes(std::size_t) { return 0; }
-    /// Bytes of a band beside its depths and colours.
-    [[nodiscard]] std::size_t band_bytes() const { return items.size_bytes(); }
   };
 
-  template <class Capacity>
-  [[nodiscard]] static constexpr bool takes(const Capacity& capacity) {
-    return Items::takes(capacity);
-  }
-  template <class Capacity>
+  [[nodiscard]] static constexpr bool takes(const Capacity& capacity) { return Items::takes(capacity); }
   [[nodiscard]] static constexpr std::uint32_t bucket_lines(const Capacity& capacity) {
     return Items::bucket_lines(capacity);
   }
@@ -71,8 +62,8 @@ class DeferredDepthBuffer {
   DeferredDepthBuffer() = default;
   explicit DeferredDepthBuffer(const Memory& memory) : memory_(memory), items_(memory.depth_buffer) {}
 
-  void begin_frame() {
-    items_.begin_frame();
+  void begin_frame(const FrameInput& input) {
+    items_.begin_frame(input);
     for (KeptSurface& kept : memory_.kept) kept.polygon = no_link;
   }
 
@@ -99,7 +90,7 @@ class DeferredDepthBuffer {
           shade(table, shading, owner, viewport, row - row_bias, target.width - static_cast<std::int32_t>(end - begin),
                 length, pixels);
         pixels += length;
-        if constexpr (Counting) target.counters->shaded += length;
+        if constexpr (Counting) target.counters->own[0] += length;
       }
     }
   }
@@ -110,13 +101,12 @@ class DeferredDepthBuffer {
     items_.skip_band(table, shading, band, viewport, item_target(target));
   }
 
-  [[nodiscard]] bool overflowed() const { return items_.overflowed(); }
-  [[nodiscard]] std::uint32_t peak() const { return items_.peak(); }
-  [[nodiscard]] static std::uint32_t wanted(const PolygonTable& table, Viewport viewport, std::int32_t band_lines) {
-    return Items::wanted(table, viewport, band_lines);
+  [[nodiscard]] PoolShortage shortage(const FrameInput& input) const { return items_.shortage(input); }
+  void note_peaks(PoolPeaks& peaks) const {
+    items_.note_peaks(peaks);
+    peaks.active += memory_.kept.size_bytes();
+    peaks.depth_band += memory_.items.size_bytes();
   }
-  [[nodiscard]] std::uint32_t layers_wanted() const { return 0; }
-  [[nodiscard]] bool layers_overflowed() const { return false; }
 
  private:
   [[nodiscard]] typename Items::Target item_target(const Target& target) const {

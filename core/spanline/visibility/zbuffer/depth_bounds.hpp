@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <span>
 
+#include "spanline/memory/arena.hpp"
 #include "spanline/raster/linear_function.hpp"
+#include "spanline/visibility/band_target.hpp"
 
 namespace spanline {
 
@@ -32,9 +34,8 @@ class DepthBounds {
   DepthBounds() = default;
 
   /// Takes the words of bands of up to `lines` lines.
-  template <class Arena>
   constexpr void take(Arena& arena, std::uint32_t width, std::uint32_t lines) {
-    words_ = arena.template take<Word>(words(width, lines));
+    words_ = arena.take<Word>(words(width, lines));
     blocks_ = blocks_a_line(width);
     while (lines > 32u << touched_shift_) ++touched_shift_;
   }
@@ -86,9 +87,14 @@ class DepthBounds {
   std::uint32_t touched_ = 0;  ///< groups of lines where `nearest` may be wrong
 };
 
+/// A band whose depths have bounds.
+template <class Depth, class Pixel>
+struct BoundedBandTarget : BandTarget<Depth, Pixel> {
+  DepthBounds<Depth>* bounds;
+};
+
 /// In the place of bounds where a program has none: no memory, no work.
 struct NoDepthBounds {
-  template <class Arena>
   constexpr void take(Arena&, std::uint32_t, std::uint32_t) {}
   void clear() {}
 };

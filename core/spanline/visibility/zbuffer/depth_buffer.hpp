@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <type_traits>
 
 #include "spanline/raster/active_triangle.hpp"
@@ -13,6 +14,7 @@
 #include "spanline/raster/row_stepper.hpp"
 #include "spanline/raster/surface_blocks.hpp"
 #include "spanline/raster/triangle_setup.hpp"
+#include "spanline/visibility/algorithm.hpp"
 #include "spanline/visibility/zbuffer/active_polygons_needed.hpp"
 #include "spanline/visibility/zbuffer/fragment_lists.hpp"
 #include "spanline/visibility/zbuffer/see_through_rows.hpp"
@@ -48,7 +50,9 @@ class DepthBuffer {
   using Layers = SeeThroughRows<Depth, Pixel, Fragments, Counting>;
   using Bounds = std::conditional_t<Bounded, DepthBounds<Depth>, NoDepthBounds>;
 
+  static constexpr AlgorithmNeeds needs = AlgorithmNeeds::screen_polygons;
   static constexpr bool keeps_depth = true, tests_depth = true, takes_table_apart = false, clears_ahead = !Bounded;
+  static constexpr std::span<const std::string_view> counter_names{};
 
   /// The memory of the algorithm, cut off an arena: polygons that cross a band's lower edge; none are needed where
   /// there is one band.
@@ -57,35 +61,26 @@ class DepthBuffer {
     [[no_unique_address]] Bounds bounds;
     [[no_unique_address]] Fragments fragments;
 
-    template <class Arena, class Capacity>
     constexpr void take(Arena& arena, const Capacity& capacity) {
-      active = arena.template take<Entry>(capacity.active);
+      active = arena.take<Entry>(capacity.active);
       bounds.take(arena, capacity.width, capacity.band_lines);
-      fragments.take(arena, std::size_t{capacity.width} * capacity.band_lines, capacity.layers);
+      fragments.take(arena, std::size_t{capacity.width} * capacity.band_lines, capacity.fragments);
     }
-    /// Bytes of `count` active polygons.
-    [[nodiscard]] static constexpr std::size_t bytes(std::size_t count) { return count * sizeof(Entry); }
-    /// Bytes of `count` fragments.
-    [[nodiscard]] static constexpr std::size_t layer_bytes(std::size_t count) { return Fragments::bytes(count); }
   };
 
   /// Whether links can number that many active polygons.
-  template <class Capacity>
   [[nodiscard]] static constexpr bool takes(const Capacity& capacity) {
-    return capacity.active < no_link && capacity.layers < no_link;
+    return capacity.active < no_link && capacity.fragments < no_link;
   }
   /// The polygon table's buckets hold a band each.
-  template <class Capacity>
-  [[nodiscard]] static constexpr std::uint32_t bucket_lines(const Capacity& capacity) {
-    return capacity.band_lines;
-  }
+  [[nodiscard]] static constexpr std::uint32_t bucket_lines(const Capacity& capacity) { return capacity.band_lines; }
 
   DepthBuffer() = default;
   explicit DepthBuffer(const Memory& memory)
       : pool_(memory.active), bounds_(memory.bounds), fragments_(memory.fragments) {}
 
   /// Before the first band of a frame.
-  void begin_frame() {
+  void begin_frame(const FrameInput& /*input*/) {
     free_ = no_link;
     used_ = peak_ = 0;
     active_ = no_link;
@@ -118,29 +113,28 @@ class DepthBuffer {
   template <class ShadingGroup>
   [[gnu::noinline]] void skip_band(const PolygonTable& table, std::span<const ShadingGroup> shading, std::int32_t band,
                                    Viewport viewport, const Target& target) {
-    walk_band<false>(table, shading, band, viewport, target, [](std::uint32_t) {});
+    const TargetWithBounds bounded = with_bounds(target);
+    walk_band<false>(table, shading, band, viewport, bounded, [](std::uint32_t) {});
   }
 
-  /// Whether polygons had to be cut off at a band's edge because the pool was full.
-  [[nodiscard]] bool overflowed() const { return overflowed_; }
-  /// Entries in use at most.
-  [[nodiscard]] Link peak() const { return peak_; }
-  /// How many entries a pool that ran full would have taken.
-  [[nodiscard]] static std::uint32_t wanted(const PolygonTable& table, Viewport viewport, std::int32_t band_lines) {
-    return active_polygons_needed(table, viewport, band_lines);
+  /// Polygons that were cut off at a band's edge because there was no room for them, or fragments that were laid early.
+  [[nodiscard]] PoolShortage shortage(const FrameInput& input) const {
+    if (overflowed_) return {Pool::active, active_polygons_needed(input.table, input.viewport, input.band_lines)};
+    if (fragments_.overflowed()) return {Pool::fragments, fragments_.wanted()};
+    return {};
   }
-  /// Fragments of the fullest band, whether there was room for them or not.
-  [[nodiscard]] std::uint32_t layers_wanted() const { return fragments_.wanted(); }
-  [[nodiscard]] bool layers_overflowed() const { return fragments_.overflowed(); }
+  void note_peaks(PoolPeaks& peaks) const {
+    peaks.active = peak_ * sizeof(Entry);
+    peaks.fragments = fragments_.peak_bytes();
+  }
 
  private:
   /// A copy that knows the bounds, where there are any.
-  using TargetWithBounds = std::conditional_t<Bounded, Target, const Target&>;
+  using RowsTarget = typename Rows::Target;
+  using TargetWithBounds = std::conditional_t<Bounded, RowsTarget, const Target&>;
   [[nodiscard]] TargetWithBounds with_bounds(const Target& target) {
     if constexpr (Bounded) {
-      Target copy = target;
-      copy.bounds = &bounds_;
-      return copy;
+      return {target, &bounds_};
     } else {
       return target;
     }
@@ -149,7 +143,8 @@ class DepthBuffer {
   /// Merges the polygons that came in from the band above with those that begin here, in order of submission.
   template <bool Drawn, class ShadingGroup, class Covered>
   [[gnu::always_inline]] void walk_band(const PolygonTable& table, std::span<const ShadingGroup> shading,
-                                        std::int32_t band, Viewport viewport, const Target& target, Covered&& covered) {
+                                        std::int32_t band, Viewport viewport, const RowsTarget& target,
+                                        Covered&& covered) {
     Job<ShadingGroup> job{.triangle = {},
                           .table = table,
                           .shading = shading.data(),
@@ -181,7 +176,7 @@ class DepthBuffer {
     const ShadingGroup* shading;
     const PolygonGroup* group;
     Viewport viewport;
-    const Target& target;
+    const RowsTarget& target;
     Link group_end;  ///< number of the first polygon behind the group
 
     /// Number of the group's shader.
@@ -236,7 +231,7 @@ class DepthBuffer {
   /// Draws the rows of a polygon that lie in the band, or steps over them. True if it goes on below.
   template <bool Drawn, class Shader, class CornersOf>
   [[gnu::always_inline]] bool pass_rows(ActiveTriangle& triangle, typename Shader::Surface& surface,
-                                        const Target& target, CornersOf corners_of) {
+                                        const RowsTarget& target, CornersOf corners_of) {
     if constexpr (!Drawn) {
       return skip_rows(triangle, surface, target.end_row, corners_of);
     } else if constexpr (SeeThrough<Shader>) {

@@ -1,8 +1,10 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
+#include "spanline/memory/arena.hpp"
 #include "spanline/raster/link.hpp"
 #include "spanline/raster/span.hpp"
 
@@ -24,12 +26,10 @@ class FragmentLists {
   };
 
   /// A list a pixel of the band, and a pool of `count` fragments.
-  template <class Arena>
   constexpr void take(Arena& arena, std::size_t band_pixels, std::size_t count) {
-    heads_ = arena.template take<Link>(band_pixels);
-    pool_ = arena.template take<Fragment>(count);
+    heads_ = arena.take<Link>(band_pixels);
+    pool_ = arena.take<Fragment>(count);
   }
-  [[nodiscard]] static constexpr std::size_t bytes(std::size_t count) { return count * sizeof(Fragment); }
 
   void begin_frame() {
     for (Link& head : heads_) head = no_link;
@@ -82,6 +82,10 @@ class FragmentLists {
   /// Fragments that the fullest band had, whether there was room for them or not.
   [[nodiscard]] std::uint32_t wanted() const { return greatest_; }
   [[nodiscard]] bool overflowed() const { return greatest_ > pool_.size(); }
+  /// Bytes of the fragments that were in use at most.
+  [[nodiscard]] std::size_t peak_bytes() const {
+    return std::min<std::size_t>(greatest_, pool_.size()) * sizeof(Fragment);
+  }
 
  private:
   /// Frees the farthest fragment of a pixel, which is laid over it unless it was hidden meanwhile; no_link if a
@@ -106,14 +110,13 @@ class FragmentLists {
 
 /// In the place of lists where no shader shows what lies behind.
 struct NoFragmentLists {
-  template <class Arena>
   constexpr void take(Arena&, std::size_t, std::size_t) {}
-  [[nodiscard]] static constexpr std::size_t bytes(std::size_t) { return 0; }
   void begin_frame() {}
   template <class Word, class Pixel>
   void finish_band(const Word*, Pixel*, std::size_t) {}
   [[nodiscard]] static std::uint32_t wanted() { return 0; }
   [[nodiscard]] static bool overflowed() { return false; }
+  [[nodiscard]] static std::size_t peak_bytes() { return 0; }
 };
 
 }  // namespace spanline

@@ -9,6 +9,7 @@
 #include "spanline/raster/surface_blocks.hpp"
 #include "spanline/raster/triangle_setup.hpp"
 #include "spanline/visibility/band_target.hpp"
+#include "spanline/visibility/zbuffer/depth_bounds.hpp"
 #include "spanline/visibility/zbuffer/run_counts.hpp"
 
 namespace spanline {
@@ -18,7 +19,7 @@ namespace spanline {
 template <class Depth, class Pixel, bool Counting, bool Bounded>
 class TriangleRows {
  public:
-  using Target = BandTarget<Depth, Pixel>;
+  using Target = std::conditional_t<Bounded, BoundedBandTarget<Depth, Pixel>, BandTarget<Depth, Pixel>>;
   using Run = DepthRun<Depth, Pixel>;
 
   /// `corners_of` gives the polygon's corners, asked for only where a large triangle meets its bend. True if the

@@ -74,7 +74,7 @@ TEST(Memory, PeaksNeverExceedWhatWasGiven) {
   for (int i = 0; i < rounds(100); ++i) {
     Capacity c = some_capacity(random);
     c.instances = 1;
-    c.polygons = c.active = 10;
+    c.polygons = c.active = c.awake = 10;
     std::vector<Corners> soup(10);
     for (Corners& t : soup)
       for (Corner& k : t) k = {random.between(0, c.width * 16), random.between(0, c.height * 16), 5};
@@ -85,9 +85,10 @@ TEST(Memory, PeaksNeverExceedWhatWasGiven) {
   }
 }
 
-/// Triangles that are all active at once, and others before and after them.
+/// Triangles that are all active at once, and others before and after them. `pool` holds them, and `peak` says how many
+/// bytes of it were in use.
 template <class Visibility>
-void check_active_peak() {
+void check_peak(std::uint32_t Capacity::*pool, std::size_t PoolPeaks::*peak) {
   using Traits = FlatTraits<Rgb565, Depth24<>, Visibility>;
   std::vector<Corners> triangles;
   const auto add = [&](int from, int to) {
@@ -100,23 +101,31 @@ void check_active_peak() {
   Studio<Traits> ample(capacity);
   (void)ample.draw_screen(triangles);
   ASSERT_TRUE(ample.status().ok());
-  using Algorithm = typename Visibility::template Algorithm<Depth24<>, std::uint16_t, typename Traits::Shaders, false>;
-  capacity.active = 0;
-  while (Algorithm::Memory::bytes(capacity.active) < ample.renderer().peaks().active) ++capacity.active;
-  EXPECT_EQ(capacity.active, 3U);
+  constexpr std::uint32_t pools_a_step = 8;  // an entry's size is a multiple of the arena's alignment or less
+  Capacity more = capacity;
+  more.*pool += pools_a_step;
+  const std::size_t entry =
+      (Renderer<Traits>::bytes_needed(more) - Renderer<Traits>::bytes_needed(capacity)) / pools_a_step;
+  Capacity none = capacity;
+  none.*pool = 0;
+  Studio<Traits> without(none);
+  (void)without.draw_screen(triangles);
+  capacity.*pool =
+      static_cast<std::uint32_t>((ample.renderer().peaks().*peak - without.renderer().peaks().*peak) / entry);
+  EXPECT_EQ(capacity.*pool, 3U);
   Studio<Traits> exact(capacity);
   (void)exact.draw_screen(triangles);
   EXPECT_TRUE(exact.status().ok()) << "what the peak says was not enough";
-  --capacity.active;
+  --(capacity.*pool);
   Studio<Traits> starved(capacity);
   (void)starved.draw_screen(triangles);
   EXPECT_FALSE(starved.status().ok()) << "less than the peak was enough";
 }
 
 TEST(Memory, ThePeakOfActivePolygonsIsWhatAFrameNeedsAndNoMore) {
-  check_active_peak<ZBuffer>();
-  check_active_peak<BoundedZBuffer>();
-  check_active_peak<Spanning>();
+  check_peak<ZBuffer>(&Capacity::active, &PoolPeaks::active);
+  check_peak<BoundedZBuffer>(&Capacity::active, &PoolPeaks::active);
+  check_peak<Spanning>(&Capacity::awake, &PoolPeaks::awake);
 }
 
 TEST(Configuration, SizesOutsideTheirRangesAreRefused) {
@@ -147,7 +156,7 @@ TEST(Configuration, AskingForTheBytesOfABadOneIsHarmless) {
 }
 
 TEST(Configuration, TheLargestPictureWorks) {
-  Capacity c{.width = 2047, .height = 2047, .band_lines = 1, .colour_bands = 1, .polygons = 1, .active = 1};
+  Capacity c{.width = 2047, .height = 2047, .band_lines = 1, .colour_bands = 1, .polygons = 1, .active = 1, .awake = 1};
   Studio<FlatTraits<Rgb565, Depth16<>>> studio(c);
   const Corners t{Corner{0, 0, 5}, Corner{2047 * 16, 0, 5}, Corner{0, 2047 * 16, 5}};
   const auto picture = studio.draw_screen({&t, 1});

@@ -55,7 +55,7 @@ Capacity ample() {
   c.height = 120;
   c.band_lines = 16;
   c.instances = 10;
-  c.vertices = c.shades = c.polygons = c.fans = c.active = 1000;
+  c.vertices = c.shades = c.polygons = c.fans = c.active = c.awake = 1000;
   return c;
 }
 

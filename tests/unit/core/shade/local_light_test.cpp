@@ -198,7 +198,7 @@ TEST(LocalLight, IsWithinA1024thOfTheFormula) {
 TEST(LocalLight, PicturesHaveItFlatAndSmooth) {
   Random random(5);
   Capacity capacity = mesh_capacity(ShadedTriangle::size, ShadedTriangle::size, 1, 3, 1);
-  capacity.active = 1;
+  capacity.active = capacity.awake = 1;
   for (int i = 0; i < rounds(400); ++i) {
     ShadedTriangle t(random);
     t.owned.vertices = {{-512, -512, 0}, {512, -512, 0}, {0, 512, 0}};

@@ -91,7 +91,7 @@ struct TexturedTriangle {
     Capacity capacity = mesh_capacity(random.view.viewport.width, random.view.viewport.height, 1,
                                       random.mesh.vertex_count(), random.mesh.triangle_count());
     if (band_lines != 0) capacity.band_lines = static_cast<std::uint16_t>(std::min<int>(band_lines, capacity.height));
-    capacity.active = capacity.polygons;
+    capacity.active = capacity.awake = capacity.polygons;
     Studio<Traits> studio(capacity);
     studio.begin(settings);
     studio.add(random.mesh, random.transform, material);

@@ -177,10 +177,10 @@ Picture<Traits> crossing_walls(const Texture& holes, int turn, int band_lines) {
   capacity.instances = 4;
   capacity.band_lines = static_cast<std::uint16_t>(band_lines);
   capacity.vertices = capacity.textures = 16;
-  capacity.polygons = capacity.active = capacity.layers = 8;
+  capacity.polygons = capacity.active = capacity.awake = capacity.fragments = capacity.layers = 8;
   if (Traits::Visibility::template Algorithm<typename Traits::Depth, std::uint16_t, typename Traits::Shaders,
                                              false>::tests_depth)
-    capacity.layers = 0;
+    capacity.fragments = capacity.layers = 0;
   Studio<Traits> studio(capacity);
   FrameSettings settings = scene::settings();
   settings.cull = Cull::none;

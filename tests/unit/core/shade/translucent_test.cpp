@@ -23,8 +23,8 @@ using Translucents =
 /// What is drawn by both kinds of algorithm, with a band height each; the same bytes.
 template <class Submit>
 Picture<Translucents<ZBuffer>> drawn(Capacity capacity, Submit submit) {
-  capacity.layers = 2u * capacity.width * capacity.height;
-  capacity.active = capacity.polygons;
+  capacity.fragments = 2u * capacity.width * capacity.height;
+  capacity.active = capacity.awake = capacity.polygons;
   const auto draw = [&]<class Traits>(int lines, Traits*) {
     capacity.band_lines = static_cast<std::uint16_t>(std::min<int>(lines, capacity.height));
     if constexpr (std::is_same_v<typename Traits::Visibility, Spanning>) capacity.layers = capacity.polygons;

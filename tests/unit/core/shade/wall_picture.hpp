@@ -14,15 +14,21 @@
 
 namespace spanline::test {
 
-inline constexpr Capacity wall_capacity{
-    .band_lines = 240, .colour_bands = 1, .vertices = 4, .shades = 4, .textures = 4, .polygons = 2, .active = 2};
+inline constexpr Capacity wall_capacity{.band_lines = 240,
+                                        .colour_bands = 1,
+                                        .vertices = 4,
+                                        .shades = 4,
+                                        .textures = 4,
+                                        .polygons = 2,
+                                        .active = 2,
+                                        .awake = 2};
 
 /// The benchmark's wall.
 template <class Traits>
 Picture<Traits> wall(const Material& material, const FrameSettings& settings, int band_lines = 240) {
   Capacity capacity = wall_capacity;
   capacity.band_lines = static_cast<std::uint16_t>(band_lines);
-  if constexpr (Traits::Shaders::see_through) capacity.layers = 2u * capacity.width * capacity.height;
+  if constexpr (Traits::Shaders::see_through) capacity.fragments = 2u * capacity.width * capacity.height;
   Studio<Traits> studio(capacity);
   studio.begin(settings);
   studio.add(scenes::textured_wall::mesh, {}, material);

@@ -27,7 +27,7 @@ template <class Traits>
   Capacity capacity = mesh_capacity(instance.view.viewport.width, instance.view.viewport.height, 1,
                                     instance.mesh.vertex_count(), instance.mesh.triangle_count());
   capacity.band_lines = static_cast<std::uint16_t>(std::min<int>(lines, capacity.height));
-  capacity.active = capacity.polygons;
+  capacity.active = capacity.awake = capacity.polygons;
   Studio<Traits> studio(capacity);
   studio.begin(settings);
   studio.add(instance.mesh, instance.transform, material);

@@ -70,7 +70,7 @@ class Studio {
   }
 
   [[nodiscard]] Renderer<Traits>& renderer() { return renderer_; }
-  [[nodiscard]] const Statistics& statistics() const { return renderer_.statistics(); }
+  [[nodiscard]] Statistics statistics() const { return renderer_.statistics(); }
   /// Of the last frame: that of draw(), or the first fault of add().
   [[nodiscard]] Status status() const { return status_; }
 
@@ -156,7 +156,7 @@ class Studio {
   c.band_lines = static_cast<std::uint16_t>(band_lines == 0 ? height : std::min(band_lines, height));
   c.colour_bands = 1;
   c.polygons = static_cast<std::uint32_t>(triangles);
-  c.active = band_lines == 0 ? 0 : static_cast<std::uint32_t>(triangles);
+  c.active = c.awake = band_lines == 0 ? 0 : static_cast<std::uint32_t>(triangles);
   return c;
 }
 

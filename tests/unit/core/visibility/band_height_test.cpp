@@ -61,7 +61,7 @@ void check_soup(TriangleKind kind, std::uint32_t seed, std::size_t count, bool t
   std::vector<std::uint16_t> colours(count);
   for (std::size_t i = 0; i < count; ++i) colours[i] = static_cast<std::uint16_t>(i + 1);
   Capacity capacity = screen_capacity(width, height, count);
-  capacity.active = static_cast<std::uint32_t>(count);
+  capacity.active = capacity.awake = static_cast<std::uint32_t>(count);
   FrameSettings settings;
   settings.cull = Cull::none;
   expect_same_bytes<Depth>(capacity, [&](auto& studio) {
@@ -91,7 +91,8 @@ TYPED_TEST(BandHeights, DrawTheSameBytesOfRealModels) {
       Capacity capacity;
       capacity.colour_bands = 1;
       capacity.vertices = capacity.shades = static_cast<std::uint32_t>(mesh->vertex_count());
-      capacity.polygons = capacity.fans = capacity.active = static_cast<std::uint32_t>(mesh->triangle_count());
+      capacity.polygons = capacity.fans = capacity.active = capacity.awake =
+          static_cast<std::uint32_t>(mesh->triangle_count());
       expect_same_bytes<TypeParam>(capacity, [&](auto& studio) {
         studio.begin(view.settings);
         studio.add(*mesh, view.transform, view.material);

@@ -34,7 +34,7 @@ TEST(Deferred, OwnersAreThoseOfTheZBuffer) {
         ASSERT_TRUE(deferred.status().ok());
         ASSERT_EQ(got.pixels, want.pixels) << "kind " << kind << ", round " << i << ", bands of " << lines;
         ASSERT_EQ(got.depth, want.depth) << "kind " << kind << ", round " << i << ", bands of " << lines;
-        EXPECT_EQ(deferred.statistics().visibility.shaded, std::uint64_t{width} * height);
+        EXPECT_EQ(deferred.statistics().visibility.named("shaded"), std::uint64_t{width} * height);
       }
     }
 }

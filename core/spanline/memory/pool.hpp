@@ -1,0 +1,38 @@
+#pragma once
+/// @file
+/// The names of a renderer's pools.
+#include <cstdint>
+
+namespace spanline {
+
+/// The renderer's pools: parts of the caller's memory. Capacity's fields of the same names say what each holds, and a
+/// Status names the one that was too small.
+enum class Pool : std::uint8_t {
+  none,       ///< no pool is meant
+  memory,     ///< all of it: the memory that the renderer was given
+  instances,  ///< `Capacity::instances`
+  vertices,   ///< `Capacity::vertices`
+  shades,     ///< `Capacity::shades`
+  textures,   ///< `Capacity::textures`
+  polygons,   ///< `Capacity::polygons`
+  fans,       ///< `Capacity::fans`
+  active,     ///< `Capacity::active`
+  awake,      ///< `Capacity::awake`
+  fragments,  ///< `Capacity::fragments`
+  layers,     ///< `Capacity::layers`
+};
+
+/// The pool's name in Capacity, for messages.
+[[nodiscard]] constexpr const char* to_string(Pool pool) {
+  constexpr const char* names[] = {"none",     "memory", "instances", "vertices", "shades",    "textures",
+                                   "polygons", "fans",   "active",    "awake",    "fragments", "layers"};
+  return names[static_cast<unsigned>(pool)];
+}
+
+/// A pool that ran full while bands were drawn.
+struct PoolShortage {
+  Pool pool = Pool::none;    ///< none if all was held
+  std::uint32_t wanted = 0;  ///< entries that the frame would have taken
+};
+
+}  // namespace spanline
