@@ -52,7 +52,8 @@ Capacity any_capacity(ByteReader& reader) {
                                   &c.polygons,  &c.fans,     &c.active, &c.layers};
   for (std::size_t i = 0; i < std::size(pools); ++i)
     *pools[i] = (tight >> i & 1) != 0 ? static_cast<std::uint32_t>(reader.byte() % 40) : 1500;
-  c.layers = std::max(c.layers * 8, c.layers);
+  c.awake = c.active;
+  c.fragments = c.layers * 8;
   if (reader.chance(24)) c.width = static_cast<std::uint16_t>(reader.half_word());
   if (reader.chance(24)) c.band_lines = static_cast<std::uint16_t>(reader.byte());
   if (reader.chance(24)) c.depth_bands = any_byte(reader);

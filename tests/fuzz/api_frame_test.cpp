@@ -37,7 +37,7 @@ TEST(ApiFrames, ReachEveryStatus) {
        {Fault::none, Fault::bad_configuration, Fault::bad_settings, Fault::shader_missing, Fault::sink_failed})
     EXPECT_TRUE(seen.contains({fault, Pool::none})) << to_string(fault);
   for (const Pool pool : {Pool::memory, Pool::instances, Pool::vertices, Pool::shades, Pool::textures, Pool::polygons,
-                          Pool::fans, Pool::active, Pool::layers})
+                          Pool::fans, Pool::active, Pool::awake, Pool::fragments, Pool::layers})
     EXPECT_TRUE(seen.contains({Fault::pool_full, pool})) << to_string(pool);
 }
 
