@@ -32,7 +32,7 @@ Studio::Studio(const RenderArguments& arguments) : arguments_(arguments), scene_
   scene_ = prepared_for(std::move(scene_), *shading_, arguments.heights || arguments.solid);
   view_ = resolve_view(arguments.view, scene_, arguments.size, arguments.turntable_frames > 0);
   light_ = resolve_light(arguments.lights, arguments.point_lights, arguments.ambient, view_);
-  world_ = choose_world(view_, scene_, arguments.size);
+  world_ = choose_world(view_, scene_, arguments.size, arguments.fog);
   if (arguments.solid) solid_ = arguments.solid->view();
   renderer_.emplace(to_core_meshes(scene_, world_));
   if (arguments.panel != nullptr) panel_.emplace(*arguments.panel);

@@ -50,6 +50,7 @@ void show_nothing(View& view, DepthRange model, double scale) {
 
 void choose_planes(View& view, const ViewRequest& request, DepthRange model, double scale) {
   state_planes(view, request, model, scale);
+  view.planes_stated = request.near_plane || request.far_plane;
   view.near_plane = view.stated_near_plane;
   view.far_plane = view.stated_far_plane;
   if (model.high < view.near_plane || model.low > view.far_plane) return show_nothing(view, model, scale);

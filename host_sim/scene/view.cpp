@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 
 #include "base/failure.hpp"
 #include "scene/planes.hpp"
@@ -84,6 +85,13 @@ class Framing {
   bool turns_;
 };
 
+/// Squares of distances must be numbers.
+void check_place(const std::string& option, const std::optional<Vector3>& place) {
+  constexpr double greatest = 1e100;
+  if (place && !(std::max({std::fabs(place->x), std::fabs(place->y), std::fabs(place->z)}) < greatest))
+    throw UsageError(option + ": too far away");
+}
+
 /// A still view has the same picture wherever on its line of sight the target lies, and the core's world must reach
 /// that far.
 void bring_target_near(View& view, double limit) {
@@ -102,6 +110,8 @@ void View::look_at(Vector3 from, Vector3 to, Vector3 up_direction) {
 }
 
 void check_request(const ViewRequest& request) {
+  check_place("--eye", request.eye);
+  check_place("--target", request.target);
   if (request.ortho_height && request.field_of_view) throw UsageError("--fov and --ortho exclude each other");
   if (request.ortho_height && *request.ortho_height <= 0) throw UsageError("--ortho: the height must be above 0");
   if (request.field_of_view && (*request.field_of_view <= 0 || *request.field_of_view >= 180))
@@ -123,6 +133,7 @@ View resolve_view(const ViewRequest& request, const Scene& scene, Size size, boo
   const Framing framing(scene, size, turns);
   View view;
   view.orthographic = request.ortho_height.has_value();
+  view.distance_option = request.eye ? "--eye" : request.target ? "--target" : "--fov";
   view.ortho_height = request.ortho_height.value_or(1);
   view.field_of_view = request.field_of_view.value_or(default_field_of_view);
   const Vector3 centre = bounding_box(scene).centre();

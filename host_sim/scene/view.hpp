@@ -24,6 +24,8 @@ struct View {
   double ortho_height = 1;                             ///< orthographic: model units
   double near_plane = 1, far_plane = 2;                ///< what the picture is drawn between
   double stated_near_plane = 1, stated_far_plane = 2;  ///< what was asked for: depths are told by these
+  bool planes_stated = false;                          ///< either of them by the user
+  const char* distance_option = "--eye";               ///< what the distance from the model comes from
   double nearest_surface = 1;                          ///< perspective: least depth of what may be seen
 
   /// Turns the camera: sets eye, target, up and the axes. `up` must not be parallel to the line of sight.

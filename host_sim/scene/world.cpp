@@ -53,16 +53,21 @@ void check_nearest(const View& view, const World& world, double focal) {
                    std::string(text.data()) + " is far enough");
 }
 
+/// Less than half a step of an 8-bit channel at all that is drawn.
+bool too_thin(const FogRequest& fog, const View& view) {
+  return (view.far_plane - fog.start) / (fog.end - fog.start) < 1.0 / 512;
+}
+
 }  // namespace
 
-World choose_world(const View& given, const Scene& scene, Size size) {
+World choose_world(const View& given, const Scene& scene, Size size, const std::optional<FogRequest>& fog) {
   const View view = with_positive_near(given);
   const BoundingBox box = bounding_box(scene);
   World world;
   world.origin = box.centre();
-  const double greatest =
-      std::max({length(box.high - box.low) / 2, length(given.target - world.origin) + length(view.eye - given.target),
-                view.far_plane});
+  double greatest = std::max({length(box.high - box.low) / 2,
+                              length(given.target - world.origin) + length(view.eye - given.target), view.far_plane});
+  if (fog && !too_thin(*fog, given)) greatest = std::max(greatest, fog->end / 2);
   world.exponent = world_exponent - exponent_of(greatest);
   if (view.orthographic) {
     // A world unit then is half a pixel to one: the scale of the picture, Q16.16, keeps all its bits. A model that is
@@ -91,7 +96,8 @@ Camera to_camera(const View& given, const World& world, Size size) {
   camera.far_plane = to_fixed<Q16_16>(std::ldexp(view.far_plane, world.exponent));
   if (!view.orthographic) check_nearest(view, world, focal);
   if (camera.near_plane.raw() <= 0 || camera.near_plane >= camera.far_plane)
-    throw UsageError("--near and --far lie too close to each other for fixed-point numbers");
+    throw UsageError(view.planes_stated ? "--near and --far lie too close to each other for fixed-point numbers"
+                                        : std::string(view.distance_option) + ": too far away from the model");
   return camera;
 }
 
@@ -114,6 +120,7 @@ Volume to_volume(const VolumeTexture& solid, const Scene& scene, const World& wo
 Fog to_fog(const FogRequest& fog, const View& view, const World& world) {
   // The eye of an orthographic view may have been moved back.
   const double moved = with_positive_near(view).near_plane - view.near_plane;
+  if (too_thin(fog, view)) return {};
   constexpr double greatest = 32767, least = 1.0 / 65536;
   const double start = std::min(std::ldexp(fog.start + moved, world.exponent), greatest - 1);
   const double end = std::clamp(std::ldexp(fog.end + moved, world.exponent), start + least, greatest);

@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "base/parse.hpp"
 #include "base/vector.hpp"
 #include "scene/scene.hpp"
@@ -21,16 +23,18 @@ struct World {
   }
 };
 
-/// The world that holds the scene, and an eye that turns about its target, as large as Q16.16 allows.
-[[nodiscard]] World choose_world(const View& view, const Scene& scene, Size size);
-
 /// Linear fog, in units of the model along the axis of view.
 struct FogRequest {
   double start = 0, end = 1;
   Rgb888 colour;
 };
 
-/// The core's fog for that view, cut to the numbers that it has.
+/// The world that holds the scene, an eye that turns about its target, and the end of a fog that can be seen, as large
+/// as Q16.16 allows.
+[[nodiscard]] World choose_world(const View& view, const Scene& scene, Size size,
+                                 const std::optional<FogRequest>& fog = std::nullopt);
+
+/// The core's fog for that view; none where it is too thin to be seen.
 [[nodiscard]] Fog to_fog(const FogRequest& fog, const View& view, const World& world);
 
 /// The model cut from a solid that is as large as its box, whose middle it has in common.

@@ -232,5 +232,16 @@ TEST_F(PlanesTest, WhatIsTooNarrowIsTheViewThatWasAskedFor) {
     }
 }
 
+TEST_F(PlanesTest, WhatLiesTooFarAwayIsTheEyeOrTheTarget) {
+  const std::string model = solid_obj(1);
+  const auto before = files();
+  for (const auto& [option, place] :
+       {std::pair{"--eye", "1e30,0,0"}, {"--eye", "1e300,0,0"}, {"--target", "1e30,0,0"}, {"--target", "1e300,0,0"}}) {
+    const ToolRun result = run({"render", model, "-o", in_folder("out.png"), option, place});
+    expect_refused(result, 2, before);
+    EXPECT_TRUE(result.errors.starts_with(std::string("spanline: error: ") + option + ": ")) << result.errors;
+  }
+}
+
 }  // namespace
 }  // namespace spanline::sim::test

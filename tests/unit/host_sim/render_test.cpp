@@ -82,6 +82,24 @@ TEST_F(RenderTest, ATextureLiesUprightOnTheModel) {
   }
 }
 
+TEST_F(RenderTest, FogIsAsThickAsItsDistancesSayWhereverThePlanesLie) {
+  const std::string model = make_file("a.obj", textured_square());
+  for (const std::vector<std::string>& projection : {std::vector<std::string>{"--fov", "30"}, {"--ortho", "2"}})
+    for (const std::vector<std::string>& planes :
+         {std::vector<std::string>{}, {"--near", "1", "--far", "9"}, {"--near", "1e-6", "--far", "1e9"}})
+      for (const double end : {3.0, 4.0, 6.0, 30.0, 300.0, 1000.0, 1e5, 1e9}) {
+        SCOPED_TRACE(end);
+        const Picture picture =
+            render(model, with(with(projection, planes),
+                               {"--eye", "0,0,3", "--target", "0,0,0", "--size", "16x16", "--shade", "unlit", "--depth",
+                                "24", "--fog", "0," + std::to_string(end) + ",FF0000"}));
+        // White, three units away.
+        const int left = static_cast<int>(std::lround(255 * (1 - 3 / end)));
+        EXPECT_NEAR(picture.at(8, 8).blue, left, 9);
+        EXPECT_EQ(picture.at(8, 8).red, 255);
+      }
+}
+
 TEST_F(RenderTest, WithoutLightATextureIsShownAsItIs) {
   const std::string model = make_file("a.obj", textured_square());
   const std::string texture = make_file("t.png", png_bytes(numbered_picture(16, 32)));
