@@ -80,14 +80,14 @@ struct Reference {
 
 class PlanesTest : public ToolTest {
  protected:
-  [[nodiscard]] std::string solid_obj(double scale) const {
+  [[nodiscard]] std::string solid_obj(double scale, const std::string& name = "solid.obj") const {
     const Solid solid;
     std::ostringstream text;
     text.precision(9);
     for (const Vector3 p : solid.points)
       text << "v " << p.x * scale << ' ' << p.y * scale << ' ' << p.z * scale << '\n';
     for (const auto& [a, b, c] : solid.triangles) text << "f " << a + 1 << ' ' << b + 1 << ' ' << c + 1 << '\n';
-    return make_file("solid.obj", text.str());
+    return make_file(name, text.str());
   }
 
   /// Draws the solid in that scale; planes that are not given are chosen by the tool, and so are not looked at.
@@ -162,28 +162,29 @@ class PlanesTest : public ToolTest {
 
 TEST_F(PlanesTest, OfAllKindsGiveTheRightPictureAndItsDepths) {
   constexpr double none = -1;
-  int bits = 16;
-  for (const double scale : {1e-3, 1e6}) {
-    const std::string model = solid_obj(scale);
-    for (const double ortho : {none, 3.1})
-      for (const double near_plane : {none, 1e-12, 1e-3, 1.0, 3.4, 30.0})
-        for (const double far_plane : {none, 1e-9, 4.3, 9.0, 300.0, 30000.0, 1e9, 1e15}) {
-          if (near_plane != none && far_plane != none && near_plane >= far_plane) continue;
-          SCOPED_TRACE("scale " + std::to_string(scale) + " ortho " + std::to_string(ortho) + " near " +
-                       std::to_string(near_plane) + " far " + std::to_string(far_plane));
-          bits = 40 - bits;
-          Reference reference{{0.9, 0.7, 4}, {}, near_plane, far_plane, true, {}};
-          if (ortho != none) reference.ortho_height = ortho;
-          // The least that the tool may choose is a thousandth of where the model ends.
-          if (near_plane == none) reference.near_plane = ortho == none ? std::min(0.006, far_plane) : -1e9;
-          if (near_plane == none && far_plane != none && far_plane < 1) reference.near_plane = far_plane / 2;
-          if (far_plane == none) reference.far_plane = 1e9;
-          const ToolRun result = draw(model, scale, reference, near_plane != none, far_plane != none, bits);
-          ASSERT_EQ(result.exit_code, 0) << result.errors;
-          EXPECT_EQ(result.errors, "");
-          expect_right(reference, near_plane != none && far_plane != none, bits);
-        }
-  }
+  unsigned number = 0;
+  const std::string small_model = solid_obj(1e-3, "small.obj"), large_model = solid_obj(1e6, "large.obj");
+  for (const double ortho : {none, 3.1})
+    for (const double near_plane : {none, 1e-12, 1e-3, 1.0, 3.4, 30.0})
+      for (const double far_plane : {none, 1e-9, 4.3, 9.0, 300.0, 30000.0, 1e9, 1e15}) {
+        if (near_plane != none && far_plane != none && near_plane >= far_plane) continue;
+        ++number;
+        const double scale = number % 2 == 0 ? 1e-3 : 1e6;
+        const int bits = number / 2 % 2 == 0 ? 16 : 24;
+        const std::string& model = number % 2 == 0 ? small_model : large_model;
+        SCOPED_TRACE("scale " + std::to_string(scale) + " ortho " + std::to_string(ortho) + " near " +
+                     std::to_string(near_plane) + " far " + std::to_string(far_plane));
+        Reference reference{{0.9, 0.7, 4}, {}, near_plane, far_plane, true, {}};
+        if (ortho != none) reference.ortho_height = ortho;
+        // The least that the tool may choose is a thousandth of where the model ends.
+        if (near_plane == none) reference.near_plane = ortho == none ? std::min(0.006, far_plane) : -1e9;
+        if (near_plane == none && far_plane != none && far_plane < 1) reference.near_plane = far_plane / 2;
+        if (far_plane == none) reference.far_plane = 1e9;
+        const ToolRun result = draw(model, scale, reference, near_plane != none, far_plane != none, bits);
+        ASSERT_EQ(result.exit_code, 0) << result.errors;
+        EXPECT_EQ(result.errors, "");
+        expect_right(reference, near_plane != none && far_plane != none, bits);
+      }
 }
 
 TEST_F(PlanesTest, DepthsOfTheOtherSenseAreThoseOfThePlanesAskedForAsWell) {
