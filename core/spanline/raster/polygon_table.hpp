@@ -4,8 +4,10 @@
 #include <limits>
 #include <span>
 
+#include "spanline/raster/half_plane.hpp"
 #include "spanline/raster/link.hpp"
 #include "spanline/raster/polygon_corners.hpp"
+#include "spanline/raster/row_columns.hpp"
 #include "spanline/raster/screen_vertex.hpp"
 #include "spanline/raster/span.hpp"
 
@@ -39,6 +41,12 @@ struct PolygonGroup {
   bool has_holes = false;                  ///< cut out of its polygons by a texture
 };
 
+/// A polygon's cuts, where it is a fragment: its pixels are those of its own edges that lie on the right side of all.
+struct PolygonCuts {
+  Link first = 0;  ///< in PolygonTable::cuts
+  Link count = 0;  ///< none: the whole polygon
+};
+
 /// The polygon table PT with the starts of the edge table ET: the polygons of a frame in order of submission, and for
 /// each band of lines those that start there. It lies in the caller's memory and owns none.
 class PolygonTable {
@@ -47,6 +55,10 @@ class PolygonTable {
   std::span<FanTriangle> fans;
   std::span<PolygonGroup> groups;
   std::span<Link> buckets;  ///< for each band the last polygon that starts there; its `next` is the first
+  /// Fragments, for algorithms that draw polygons in parts; all three are empty for those that do not, who never look.
+  std::span<PolygonCuts> fragments;        ///< parallel to `references`
+  std::span<const Link> cuts;              ///< number of a half-plane · 2, plus 1 for the side where it is negative
+  std::span<const HalfPlane> half_planes;  ///< lines that several fragments share
   Link polygon_count = 0;
   Link fan_count = 0;
   Link group_count = 0;
@@ -101,6 +113,15 @@ class PolygonTable {
       references[polygon].next = references[tail].next;
       references[tail].next = polygon;
     }
+  }
+
+  /// What a fragment keeps of the columns, inside the viewport, that its polygon's edges give for a row that is not
+  /// biased.
+  [[nodiscard]] RowColumns cut(Link polygon, std::int32_t row, RowColumns columns) const {
+    const PolygonCuts own = fragments[polygon];
+    for (const Link cut : cuts.subspan(own.first, own.count))
+      columns = half_planes[cut >> 1].cut(columns, row, (cut & 1) == 0);
+    return columns;
   }
 
   [[nodiscard]] PolygonCorners corners(const PolygonGroup& group, Link polygon) const {

@@ -5,6 +5,7 @@
 #include "spanline/raster/active_triangle.hpp"
 #include "spanline/raster/medium_triangle.hpp"
 #include "spanline/raster/polygon_corners.hpp"
+#include "spanline/raster/row_columns.hpp"
 #include "spanline/raster/small_triangle.hpp"
 #include "spanline/raster/triangle_setup.hpp"
 
@@ -18,11 +19,6 @@ inline void put_third_edge(ActiveTriangle& triangle, const PolygonCorners& corne
   else
     triangle.fixed.bend(triangle.flags.right_bends());
 }
-
-/// The columns of a row, counted from the triangle's column of origin; those of large triangles may leave the viewport.
-struct RowColumns {
-  std::int32_t first, end;
-};
 
 /// Steps the edges and counts of rows of a triangle to its next row, for code that has no time to save. Output: the
 /// columns of the row that it stood on. `corners_of` gives its corners where the bend is met.
