@@ -27,8 +27,8 @@ namespace selftest_detail {
 template <class Depth, class Visibility = ZBuffer>
 using TexturesOnly =
     RendererTraits<Rgb565,
-                   ShaderList<GouraudShader<Rgb565>, RepeatedTextureShader<Rgb565, TexelFormat::rgb565, NoTexelLight>,
-                              RepeatedTextureShader<Rgb565, TexelFormat::rgb565, GouraudTexelLight>,
+                   ShaderList<GouraudShader<Rgb565>, NearestTextureShader<Rgb565, TexelFormat::rgb565, NoTexelLight>,
+                              NearestTextureShader<Rgb565, TexelFormat::rgb565, GouraudTexelLight>,
                               FoggedTextureShader<Rgb565, TexelFormat::rgb565>>,
                    Depth, Visibility>;
 

@@ -59,7 +59,7 @@ struct BlockRun {
                                      std::uint32_t into, std::uint32_t count) {
     auto source = surface.source(column);
     source.restart(block, into);
-    pieces({depth, pixels, z, dz}, source, 4 - (into & 3), count, [&](auto& s) { s.bend(block); });
+    pieces({depth, pixels, z, dz}, source, 4 - (into & 3), count, [&](auto& s) { s.next_piece(block); });
   }
   /// Whole blocks.
   template <class Surface, class Steps>
@@ -101,17 +101,17 @@ struct BlockRun {
     return !std::is_same_v<decltype(std::declval<Wrap>()(std::declval<Source>())), Source>;
   }();
 
-  /// Pixels of one block, of whose first piece `piece` pixels are left; `bend` goes from one piece to the next.
-  template <class Source, class Bend>
+  /// Pixels of one block, of whose first piece `piece` pixels are left; `next_piece` goes from one piece to the next.
+  template <class Source, class NextPiece>
   [[gnu::always_inline]] static inline void pieces(Place at, Source source, std::uint32_t piece, std::uint32_t count,
-                                                   Bend bend) {
+                                                   NextPiece next_piece) {
     for (;;) {
       Run::pixel(at.depth++, at.pixels++, 0, at.z, source);
       if (--count == 0) return;
       at.z += at.dz;
       source.forward();
       if (--piece != 0) continue;
-      bend(source);
+      next_piece(source);
       piece = 4;
     }
   }
@@ -123,7 +123,7 @@ struct BlockRun {
     for (;;) {
       const std::uint32_t in_block = blocks.rest_of_block() < count ? blocks.rest_of_block() : count;
       count -= in_block;
-      pieces(at, wrap(blocks.source()), blocks.rest(), in_block, [](auto& source) { source.bend(); });
+      pieces(at, wrap(blocks.source()), blocks.rest(), in_block, [](auto& source) { source.next_piece(); });
       if (count == 0) return;
       at = {at.depth + in_block, at.pixels + in_block, at.z + in_block * at.dz, at.dz};
       blocks.next();
@@ -145,7 +145,7 @@ struct BlockRun {
           at.z += at.dz;
           source.forward();
         }
-        if (piece != 3) source.bend(*blocks);
+        if (piece != 3) source.next_piece(*blocks);
       }
       if (++blocks == end) return blocks;
       at.depth += 16;

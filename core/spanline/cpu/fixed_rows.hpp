@@ -32,7 +32,7 @@ struct NoCounts {
 template <class Depth, class Pixel, class Counts = NoCounts, Form form = Form::fastest>
 class FixedRows {
  public:
-  /// Draws `rows` rows before the triangle's bend and `rows_after` behind it, and leaves the triangle and its surface
+  /// Draws `rows` rows before the triangle's knee and `rows_after` behind it, and leaves the triangle and its surface
   /// where they stand. False, with nothing done, for large triangles.
   template <class Surface, class Target>
   [[gnu::always_inline]] static inline bool draw(const ActiveTriangle& triangle, const Surface& surface,
@@ -105,7 +105,7 @@ class FixedRows {
       if (rows_after == 0) break;
       rows = rows_after;
       rows_after = 0;
-      if (!triangle.flags.bent()) edges.bend(triangle.flags.right_bends());
+      if (!triangle.flags.past_knee()) edges.put_third(triangle.flags.third_on_right());
     }
   }
 };

@@ -16,9 +16,9 @@ struct TextureSteps : TextureBlock {
     v -= dv;
   }
   /// From one piece of a block to the next.
-  void bend() { bend(*this); }
+  void next_piece() { next_piece(*this); }
   /// The same, of a block that is kept elsewhere.
-  void bend(const TextureBlock& block) {
+  void next_piece(const TextureBlock& block) {
     du += block.ddu;
     dv += block.ddv;
   }
@@ -31,10 +31,10 @@ struct TextureSteps : TextureBlock {
   }
   /// To another column of the block at whose start it stands.
   void skip(std::uint32_t columns, const TextureBlock& block) {
-    // Piece p is p bends steeper than the first: 4 columns of each before this one, and what is left of this.
-    const std::uint32_t pieces = columns >> 2, bent = pieces * (columns - 2 * pieces - 2);
-    u += du * columns + block.ddu * bent;
-    v += dv * columns + block.ddv * bent;
+    // The step of piece p has gained p times: 4 columns of each before this one, and what is left of this.
+    const std::uint32_t pieces = columns >> 2, gains = pieces * (columns - 2 * pieces - 2);
+    u += du * columns + block.ddu * gains;
+    v += dv * columns + block.ddv * gains;
     du += block.ddu * pieces;
     dv += block.ddv * pieces;
   }

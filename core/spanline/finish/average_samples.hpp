@@ -33,7 +33,7 @@ template <class Format>
 /// Averages a finished band in place: `width` × `lines` pixels at its beginning, of factor² samples each; factor is 2
 /// or 4. The band's samples are factor · width wide and factor · lines high.
 template <class Format>
-void average_band(typename Format::Pixel* band, std::size_t width, std::size_t lines, unsigned factor) {
+void average_samples(typename Format::Pixel* band, std::size_t width, std::size_t lines, unsigned factor) {
   const unsigned log2_samples = factor == 2 ? 2 : 4;
   const std::size_t stride = width * factor;
   typename Format::Pixel* out = band;

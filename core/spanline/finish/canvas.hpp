@@ -44,7 +44,7 @@ class Canvas {
   /// A line from one pixel to another, both drawn: on the longer axis a pixel a step, on the other the nearest.
   void line(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, Rgb888 colour) {
     const Pixel pixel = Format::from(colour);
-    LineSteps steps(x0, y0, x1, y1, {0, y0_, width_, y1_});
+    ClippedLine steps(x0, y0, x1, y1, {0, y0_, width_, y1_});
     for (; !steps.at_end(); steps.next())
       if (inside(steps.x(), steps.y())) *at(steps.x(), steps.y()) = pixel;
   }

@@ -18,7 +18,7 @@ std::int32_t floor_quotient(std::int32_t dividend, std::int32_t divisor) {
 
 }  // namespace
 
-LineSteps::LineSteps(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, const ClipBox& box) {
+ClippedLine::ClippedLine(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, const ClipBox& box) {
   if ((outcode(x0, y0, box) & outcode(x1, y1, box)) != 0) return;
   std::int32_t along = x1 - x0, across = y1 - y0;
   std::int32_t major_low = box.left, major_high = box.right, minor_low = box.top, minor_high = box.bottom;

@@ -14,9 +14,9 @@ struct ClipBox {
 /// Outcodes (Cohen and Sutherland; lecture 001) throw away lines that are outside on one side; of the others, a range
 /// of steps is kept which holds every pixel inside and at most a few more. Where a pixel lies depends on the whole line
 /// alone, so a line that is drawn band by band is the line that is drawn at once. |coordinate| ≤ 16,383.
-class LineSteps {
+class ClippedLine {
  public:
-  LineSteps(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, const ClipBox& box);
+  ClippedLine(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, const ClipBox& box);
 
   [[nodiscard]] bool at_end() const { return step_ > last_; }
   [[nodiscard]] std::int32_t x() const { return steep_ ? minor_ : major_; }

@@ -42,21 +42,21 @@ using PlainShaders = ShaderList<FlatShader<Format>, GouraudShader<Format>, Goura
 /// And textures of RGB565 that repeat, read at their nearest texel: unlit, and under white light of either kind.
 template <class Format>
 using TextureShaders =
-    WithShaders<PlainShaders<Format>, RepeatedTextureShader<Format, TexelFormat::rgb565, NoTexelLight>,
-                RepeatedTextureShader<Format, TexelFormat::rgb565, FlatTexelLight>,
-                RepeatedTextureShader<Format, TexelFormat::rgb565, GouraudTexelLight>>;
+    WithShaders<PlainShaders<Format>, NearestTextureShader<Format, TexelFormat::rgb565, NoTexelLight>,
+                NearestTextureShader<Format, TexelFormat::rgb565, FlatTexelLight>,
+                NearestTextureShader<Format, TexelFormat::rgb565, GouraudTexelLight>>;
 
 /// And such textures with mip maps and bilinear filtering; one shader behind them that serves whatever they do not:
 /// other texel formats, clamping, texture functions, coloured surfaces under a texture, fog and dither; and point
 /// lights, highlights, relief and solids of tables.
 template <class Format>
 using GeneralShaders =
-    WithShaders<TextureShaders<Format>, LevelTextureShader<Format, TextureFilter::bilinear, NoTexelLight>,
-                LevelTextureShader<Format, TextureFilter::bilinear, FlatTexelLight>,
-                LevelTextureShader<Format, TextureFilter::bilinear, GouraudTexelLight>,
-                LevelTextureShader<Format, TextureFilter::nearest, NoTexelLight>,
-                LevelTextureShader<Format, TextureFilter::nearest, FlatTexelLight>,
-                LevelTextureShader<Format, TextureFilter::nearest, GouraudTexelLight>, GeneralShader<Format>,
+    WithShaders<TextureShaders<Format>, MipTextureShader<Format, TextureFilter::bilinear, NoTexelLight>,
+                MipTextureShader<Format, TextureFilter::bilinear, FlatTexelLight>,
+                MipTextureShader<Format, TextureFilter::bilinear, GouraudTexelLight>,
+                MipTextureShader<Format, TextureFilter::nearest, NoTexelLight>,
+                MipTextureShader<Format, TextureFilter::nearest, FlatTexelLight>,
+                MipTextureShader<Format, TextureFilter::nearest, GouraudTexelLight>, GeneralShader<Format>,
                 LocalFlatShader<Format>, ReliefShader<Format>, VolumeShader<Format>>;
 
 // Traits by what they shade. Behind the pixel format stand options in any order, each at most once: a depth format

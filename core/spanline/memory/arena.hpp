@@ -7,7 +7,7 @@
 
 namespace spanline {
 
-/// Cuts typed pools off a block of bytes, in order. Run without memory it only counts, so that the same list of pools
+/// Cuts typed pools off a range of bytes, in order. Run without memory it only counts, so that the same list of pools
 /// says how many bytes they need.
 class Arena {
  public:

@@ -33,7 +33,7 @@ enum class Wrap : std::uint8_t {
 /// A texture as views over read-only tables, in flash as a rule. It owns nothing; `validate()` checks it once at load.
 ///
 /// Level 0 has 2^log2_width × 2^log2_height texels, row by row from the top; each further level of a mip pyramid halves
-/// both sides down to 1, and follows the one before in the same table (lecture 004: a third more memory, in one block).
+/// both sides down to 1, and follows the one before in the same table (lecture 004: a third more memory, in one piece).
 /// Texture coordinates: s to the right and t downwards, 1 is one whole texture, texel centres at (i + ½) / size.
 struct Texture {
   static constexpr unsigned max_log2_size = 11;              ///< of a side

@@ -25,28 +25,29 @@ struct ActiveTriangle {
   LinearFunction depth;          ///< plane word on the current row, at column `origin`
   std::int32_t origin;           ///< screen column that columns of edges and functions count from
   std::int32_t row;              ///< current row, biased
-  std::int32_t rows_to_bend;     ///< rows until the left or right edge gives way to the third
-  std::int32_t rows_after_bend;  ///< rows of the third edge
+  std::int32_t rows_to_knee;     ///< rows until the left or right edge gives way to the third
+  std::int32_t rows_after_knee;  ///< rows of the third edge
   enum class Size : std::uint8_t { small, medium, large };
 
   /// One word, so that set-up writes it at once.
   class Flags {
    public:
     Flags() = default;
-    Flags(Size size, bool right_bends, bool clipped)
-        : bits_(static_cast<std::uint32_t>(size) | (right_bends ? right_bends_bit : 0) | (clipped ? clipped_bit : 0)) {}
+    Flags(Size size, bool third_on_right, bool clipped)
+        : bits_(static_cast<std::uint32_t>(size) | (third_on_right ? third_on_right_bit : 0) |
+                (clipped ? clipped_bit : 0)) {}
     /// `large` edges are in `large`, others in `fixed`.
     [[nodiscard]] Size size() const { return static_cast<Size>(bits_ & size_mask); }
     /// The third edge is on the right.
-    [[nodiscard]] bool right_bends() const { return (bits_ & right_bends_bit) != 0; }
+    [[nodiscard]] bool third_on_right() const { return (bits_ & third_on_right_bit) != 0; }
     /// Runs must be cut to the viewport's columns.
     [[nodiscard]] bool clipped() const { return (bits_ & clipped_bit) != 0; }
     /// The third edge is in place.
-    [[nodiscard]] bool bent() const { return (bits_ & bent_bit) != 0; }
-    void set_bent() { bits_ |= bent_bit; }
+    [[nodiscard]] bool past_knee() const { return (bits_ & past_knee_bit) != 0; }
+    void set_past_knee() { bits_ |= past_knee_bit; }
 
    private:
-    static constexpr std::uint32_t size_mask = 3, right_bends_bit = 4, clipped_bit = 8, bent_bit = 16;
+    static constexpr std::uint32_t size_mask = 3, third_on_right_bit = 4, clipped_bit = 8, past_knee_bit = 16;
     std::uint32_t bits_;
   } flags;
 
@@ -60,8 +61,8 @@ struct ActiveTriangle {
     depth = other.depth;
     origin = other.origin;
     row = other.row;
-    rows_to_bend = other.rows_to_bend;
-    rows_after_bend = other.rows_after_bend;
+    rows_to_knee = other.rows_to_knee;
+    rows_after_knee = other.rows_after_knee;
     flags = other.flags;
     if (flags.size() == Size::large)
       large = other.large;
@@ -69,19 +70,19 @@ struct ActiveTriangle {
       fixed = other.fixed;
   }
 
-  /// Steps a small or medium triangle over rows before and after its bend, where its counts of rows allow it.
+  /// Steps a small or medium triangle over rows before and after its knee, where its counts of rows allow it.
   void skip_rows(std::int32_t before, std::int32_t after) {
     fixed.skip_rows(before);
     if (after > 0) {
-      if (!flags.bent()) {
-        fixed.bend(flags.right_bends());
-        flags.set_bent();
+      if (!flags.past_knee()) {
+        fixed.put_third(flags.third_on_right());
+        flags.set_past_knee();
       }
       fixed.skip_rows(after);
     }
     depth.skip_rows(before + after);
   }
-  [[nodiscard]] std::int32_t end_row() const { return row + rows_to_bend + rows_after_bend; }
+  [[nodiscard]] std::int32_t end_row() const { return row + rows_to_knee + rows_after_knee; }
 };
 
 }  // namespace spanline

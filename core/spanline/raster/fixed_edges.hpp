@@ -19,9 +19,9 @@ struct FixedEdges {
     right += right_step * static_cast<std::uint32_t>(rows);
   }
   /// Puts the third edge in place.
-  void bend(bool right_bends) {
-    (right_bends ? right : left) = third;
-    (right_bends ? right_step : left_step) = third_step;
+  void put_third(bool third_on_right) {
+    (third_on_right ? right : left) = third;
+    (third_on_right ? right_step : left_step) = third_step;
   }
 };
 

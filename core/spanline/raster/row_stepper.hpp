@@ -11,20 +11,20 @@
 
 namespace spanline {
 
-/// Puts the third edge of a triangle in place, at the row of its bend.
+/// Puts the third edge of a triangle in place, at the row of its knee.
 inline void put_third_edge(ActiveTriangle& triangle, const PolygonCorners& corners) {
-  triangle.flags.set_bent();
+  triangle.flags.set_past_knee();
   if (triangle.flags.size() == ActiveTriangle::Size::large)
-    bend_large(corners, triangle);
+    put_third_large_edge(corners, triangle);
   else
-    triangle.fixed.bend(triangle.flags.right_bends());
+    triangle.fixed.put_third(triangle.flags.third_on_right());
 }
 
 /// Steps the edges and counts of rows of a triangle to its next row, for code that has no time to save. Output: the
-/// columns of the row that it stood on. `corners_of` gives its corners where the bend is met.
+/// columns of the row that it stood on. `corners_of` gives its corners where the knee is met.
 template <class CornersOf>
 RowColumns step_row(ActiveTriangle& triangle, CornersOf corners_of) {
-  if (triangle.rows_to_bend == 0 && !triangle.flags.bent()) put_third_edge(triangle, corners_of());
+  if (triangle.rows_to_knee == 0 && !triangle.flags.past_knee()) put_third_edge(triangle, corners_of());
   RowColumns columns;
   if (triangle.flags.size() == ActiveTriangle::Size::large) {
     columns = {triangle.large.left.x, triangle.large.right.x};
@@ -36,31 +36,31 @@ RowColumns step_row(ActiveTriangle& triangle, CornersOf corners_of) {
     triangle.fixed.next_row();
   }
   ++triangle.row;
-  --(triangle.rows_to_bend != 0 ? triangle.rows_to_bend : triangle.rows_after_bend);
+  --(triangle.rows_to_knee != 0 ? triangle.rows_to_knee : triangle.rows_after_knee);
   return columns;
 }
 
 /// Steps an active triangle and its surface over the rows above `end_row` (biased), to the very words that drawing them
-/// would have left. False if the triangle ends there. `corners_of` gives its corners where the bend is met.
+/// would have left. False if the triangle ends there. `corners_of` gives its corners where the knee is met.
 template <class Surface, class CornersOf>
 [[nodiscard]] bool skip_rows(ActiveTriangle& triangle, Surface& surface, std::int32_t end_row, CornersOf corners_of) {
   if (triangle.end_row() <= end_row) return false;
   const std::int32_t rows = end_row - triangle.row;
-  const std::int32_t before = std::min(triangle.rows_to_bend, rows), after = rows - before;
+  const std::int32_t before = std::min(triangle.rows_to_knee, rows), after = rows - before;
   if (triangle.flags.size() != ActiveTriangle::Size::large) {
     triangle.skip_rows(before, after);
   } else {
     triangle.large.skip_rows(before);
     if (after > 0) {
       triangle.row += before;  // where the third edge begins
-      if (!triangle.flags.bent()) put_third_edge(triangle, corners_of());
+      if (!triangle.flags.past_knee()) put_third_edge(triangle, corners_of());
       triangle.large.skip_rows(after);
     }
     triangle.depth.skip_rows(rows);
   }
   triangle.row = end_row;
-  triangle.rows_to_bend -= before;
-  triangle.rows_after_bend -= after;
+  triangle.rows_to_knee -= before;
+  triangle.rows_after_knee -= after;
   surface.skip_rows(rows);
   return true;
 }

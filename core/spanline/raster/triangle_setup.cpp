@@ -53,21 +53,21 @@ bool set_up_large(Triangle& t, bool scissored, Viewport viewport, int depth_bits
   if (first >= end) return false;
   const bool medium = !scissored && medium_triangle::fits(t);
   active.flags = {medium ? ActiveTriangle::Size::medium : ActiveTriangle::Size::large, third.on_right, scissored};
-  const std::int32_t bend_row = std::clamp(row_at(t.ay + third.y), first, end);
+  const std::int32_t knee_row = std::clamp(row_at(t.ay + third.y), first, end);
   active.origin = 0;
   active.row = first;
-  active.rows_to_bend = bend_row - first;
-  active.rows_after_bend = end - bend_row;
+  active.rows_to_knee = knee_row - first;
+  active.rows_after_knee = end - knee_row;
   if (medium) {
     const std::int32_t origin = medium_triangle::origin_of(t);
     active.origin = origin - row_bias;
-    medium_triangle::set_edges(t, third, origin, 16 * first + 8 - t.ay, 16 * bend_row + 8 - t.ay - third.y,
+    medium_triangle::set_edges(t, third, origin, 16 * first + 8 - t.ay, 16 * knee_row + 8 - t.ay - third.y,
                                active.fixed);
     fit_wide_depth(t, area, viewport, depth_bits, active);
     return true;
   }
   active.large = {};
-  if (active.rows_to_bend != 0) {
+  if (active.rows_to_knee != 0) {
     active.large.left = edge_between(*t.a, *t.c, first);
     active.large.right = edge_between(*t.a, *t.b, first);
   } else if (third.on_right) {
@@ -79,10 +79,10 @@ bool set_up_large(Triangle& t, bool scissored, Viewport viewport, int depth_bits
   return true;
 }
 
-void bend_large(const PolygonCorners& polygon, ActiveTriangle& active) {
+void put_third_large_edge(const PolygonCorners& polygon, ActiveTriangle& active) {
   Triangle t = Triangle::from(polygon.corner[0], polygon.corner[1], polygon.corner[2]);
   if (t.wide_doubled_area() < 0) t.flip();
-  if (active.flags.right_bends()) {
+  if (active.flags.third_on_right()) {
     active.large.right = edge_between(*t.b, *t.c, active.row);
   } else {
     active.large.left = edge_between(*t.c, *t.b, active.row);

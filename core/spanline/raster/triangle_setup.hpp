@@ -25,7 +25,7 @@ namespace spanline {
 void fit_wide_depth(const Triangle& t, std::int64_t area, Viewport viewport, int depth_bits, ActiveTriangle& active);
 
 /// Puts the third edge of a large triangle in place.
-void bend_large(const PolygonCorners& polygon, ActiveTriangle& active);
+void put_third_large_edge(const PolygonCorners& polygon, ActiveTriangle& active);
 
 /// Activates a polygon: edges and plane on its first row inside the viewport. `make_surface` is called with attribute
 /// gradients of either class once it is certain that the triangle has rows. False if there is nothing to draw.
@@ -43,16 +43,16 @@ template <class Depth, class MakeSurface>
       area = -area;
     }
     const ThirdEdge third = ThirdEdge::of(t);
-    const std::int32_t first = row_at(t.ay), bend_row = row_at(t.ay + third.y);
+    const std::int32_t first = row_at(t.ay), knee_row = row_at(t.ay + third.y);
     const std::int32_t end = row_at(t.ay + third.y + third.dy);
     if (first >= end || area == 0) return false;
     const std::int32_t row_offset = 16 * first + 8 - t.ay;
     active.flags = {ActiveTriangle::Size::small, third.on_right, false};
     active.origin = small_triangle::origin_of(t);
     active.row = first;
-    active.rows_to_bend = bend_row - first;
-    active.rows_after_bend = end - bend_row;
-    small_triangle::set_edges(t, third, row_offset, 16 * bend_row + 8 - t.ay - third.y, active.fixed);
+    active.rows_to_knee = knee_row - first;
+    active.rows_after_knee = end - knee_row;
+    small_triangle::set_edges(t, third, row_offset, 16 * knee_row + 8 - t.ay - third.y, active.fixed);
     if (!fit_small_depth<Depth>(t, area, row_offset, active.depth)) {
       // A copy, so that the triangle itself stays in registers on the usual way.
       const Triangle kept = t;

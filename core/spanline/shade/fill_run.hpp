@@ -39,16 +39,16 @@ template <PixelSource Source, class Pixel>
   fill_stepped(pixels, count, source);
 }
 
-/// Pixels of one block, of whose first piece `piece` pixels are left; `bend` goes from one piece to the next.
-template <class Source, class Pixel, class Bend>
+/// Pixels of one block, of whose first piece `piece` pixels are left; `next_piece` goes from one piece to the next.
+template <class Source, class Pixel, class NextPiece>
 [[gnu::always_inline]] inline void fill_pieces(Pixel* pixels, Source source, std::uint32_t piece, std::uint32_t count,
-                                               Bend bend) {
+                                               NextPiece next_piece) {
   for (;;) {
     put(pixels++, source);
     if (--count == 0) return;
     source.forward();
     if (--piece != 0) continue;
-    bend(source);
+    next_piece(source);
     piece = 4;
   }
 }
@@ -58,7 +58,7 @@ template <RunBlocks Blocks, class Pixel>
   for (;;) {
     const std::uint32_t in_block = blocks.rest_of_block() < count ? blocks.rest_of_block() : count;
     count -= in_block;
-    fill_pieces(pixels, blocks.source(), blocks.rest(), in_block, [](auto& source) { source.bend(); });
+    fill_pieces(pixels, blocks.source(), blocks.rest(), in_block, [](auto& source) { source.next_piece(); });
     if (count == 0) return;
     pixels += in_block;
     blocks.next();
@@ -70,7 +70,7 @@ template <class Surface, class Steps, class Pixel>
                                  const Steps& block, std::uint32_t into) {
   auto source = surface.source(column);
   source.restart(block, into);
-  fill_pieces(pixels, source, 4 - (into & 3), count, [&](auto& s) { s.bend(block); });
+  fill_pieces(pixels, source, 4 - (into & 3), count, [&](auto& s) { s.next_piece(block); });
 }
 
 /// Whole blocks are straight code.
@@ -88,7 +88,7 @@ template <class Surface, class Steps, class Pixel>
         put(pixels + 4 * piece + i, source);
         source.forward();
       }
-      if (piece != 3) source.bend(block);
+      if (piece != 3) source.next_piece(block);
     }
     if (++blocks == end) return;
     source.next_block();

@@ -44,11 +44,11 @@ ActiveTriangle random_triangle(Random& random, std::int32_t rows, std::int32_t r
   triangle.depth = {random(), random_step(random), random_step(random)};
   triangle.origin = between(random, 0, row_width - columns);
   triangle.row = between(random, 100, 101);
-  triangle.rows_to_bend = rows;
-  triangle.rows_after_bend = rows_after;
+  triangle.rows_to_knee = rows;
+  triangle.rows_after_knee = rows_after;
   const bool third_right = (random() & 1) != 0;
   triangle.flags = {Size, third_right, (random() & 1) != 0};
-  if (random.below(4) == 0) triangle.flags.set_bent();
+  if (random.below(4) == 0) triangle.flags.set_past_knee();
   const EdgePair edges = random_edges(random, rows + rows_after, columns, widest, bits);
   const auto word_of = [](std::int64_t value) { return static_cast<std::uint32_t>(value); };
   triangle.fixed.left = word_of(edges.left);

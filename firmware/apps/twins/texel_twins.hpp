@@ -24,8 +24,8 @@ struct AnyTexels {
     }
     void forward() { coordinates.forward(); }
     void back() { coordinates.back(); }
-    void bend() { coordinates.bend(); }
-    void bend(const TextureBlock& block) { coordinates.bend(block); }
+    void next_piece() { coordinates.next_piece(); }
+    void next_piece(const TextureBlock& block) { coordinates.next_piece(block); }
     void restart(const TextureBlock& block) { coordinates.restart(block); }
     void restart(const TextureBlock& block, std::uint32_t into) {
       coordinates.restart(block);
@@ -74,7 +74,7 @@ struct AnyTexels {
       for (std::size_t i = 0; i < 16; ++i) {
         pixels[i] = at.get();
         at.forward();
-        if (i % 4 == 3) at.bend(*blocks);
+        if (i % 4 == 3) at.next_piece(*blocks);
       }
     }
   }

@@ -50,13 +50,15 @@ struct Buffers {
   };
   Pair fast, portable;
 
-  /// `count` depths from the start on: cleared ones, and ones that the plane word's depth meets, beats or loses to.
+  /// `count` depths from the start on: cleared ones, a few that lack one bit of that, and ones that the plane word's
+  /// depth meets, beats or loses to.
   void fill(Random& random, std::uint32_t count, std::uint32_t z) {
     const std::uint32_t cleared_of_4 = random.below(5);
     for (std::uint32_t i = 0; i < count; ++i) {
       const std::uint32_t near = (z >> 16) + random.below(3) - 1, word = random();
       const bool cleared = (word & 3) < cleared_of_4;
-      fast.depth[i] = static_cast<std::uint16_t>(cleared ? 0xffff : (word & 12) != 0 ? near : word >> 16);
+      const std::uint32_t almost_clear = 0xffff ^ ((word >> 20 & 31) == 0 ? 1u << (word >> 28) : 0);
+      fast.depth[i] = static_cast<std::uint16_t>(cleared ? almost_clear : (word & 12) != 0 ? near : word >> 16);
       fast.pixels[i] = static_cast<std::uint16_t>(word >> 8);
       portable.depth[i] = fast.depth[i];
       portable.pixels[i] = fast.pixels[i];

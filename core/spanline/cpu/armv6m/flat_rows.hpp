@@ -91,7 +91,7 @@ static_assert(sizeof(FlatRowSteps) == 24 && offsetof(FlatRowSteps, rows_after) =
   "subs r5, #(6f + 4 - 3b)\n\t"                                                \
   "6: add pc, r5\n\t"
 
-/// `rows` rows of a small triangle before its bend and `rows_after` behind it, of one pixel value, against a 16-bit
+/// `rows` rows of a small triangle before its knee and `rows_after` behind it, of one pixel value, against a 16-bit
 /// depth buffer, smaller is nearer: what TriangleRows does in C++, with every quantity of the loop in a register. Runs
 /// go from right to left, 21 pixels at most, by a jump into straight code.
 [[gnu::naked, gnu::noinline]] inline void flat_rows_short(const ActiveTriangle* /*triangle*/, std::uint32_t /*pixel*/,

@@ -41,7 +41,7 @@ struct RampSurfaceWords {
   "1: subs r2, r2, r7\n\t"                                                     \
   "add r3, r8\n\t"
 
-/// `rows` rows of a small triangle before its bend and `rows_after` behind it, whose pixels come from a ramp of 64 by
+/// `rows` rows of a small triangle before its knee and `rows_after` behind it, whose pixels come from a ramp of 64 by
 /// an interpolated intensity, against a 16-bit depth buffer, smaller is nearer: what TriangleRows does in C++.
 ///
 /// Runs go from right to left, 21 pixels at most, by a jump into straight code. Behind a run, plane word and intensity

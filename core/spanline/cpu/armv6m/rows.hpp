@@ -63,7 +63,7 @@ static_assert(offsetof(ActiveTriangle, origin) == 12 && offsetof(ActiveTriangle,
   "str r0, [sp, #" #rows_at "]\n\t"                                            \
   "ldr r1, [sp, #" #triangle_at "]\n\t"                                        \
   "ldr r0, [r1, #28]\n\t"                                                      \
-  "lsls r0, r0, #27\n\t"  /* bent already */                                   \
+  "lsls r0, r0, #27\n\t"  /* past the knee already */                                   \
   "bmi 4b\n\t"                                                                 \
   "ldr r4, [r1, #48]\n\t"                                                      \
   "ldr r5, [r1, #52]\n\t"                                                      \

@@ -41,7 +41,8 @@ struct TexelRun {
   [[gnu::always_inline]] void draw_leftwards(const TextureBlock& block, std::uint32_t count);
 
  private:
-  /// Where pixel `number` of the straight code begins: 17 instructions for each, and two for each bend.
+  /// Where pixel `number` of the straight code begins: 17 instructions for each, and two for each step from piece to
+  /// piece.
   static constexpr std::uint32_t entry_at(std::uint32_t number) { return 35 * number - (number & 3); }
   [[gnu::always_inline]] void draw_whole_blocks();
   [[gnu::always_inline]] void draw_part_rightwards();
@@ -73,7 +74,7 @@ static_assert(offsetof(TexelRun, dz) == 16 && offsetof(TexelRun, part) == 28);
   "add r2, r9\n\t"                                                             \
   "add r3, r10\n\t"
 
-#define SPANLINE_BEND                                                          \
+#define SPANLINE_NEXT_PIECE                                                          \
   "add r9, r11\n\t"                                                            \
   "add r10, r12\n\t"
 
@@ -94,9 +95,9 @@ static_assert(offsetof(TexelRun, dz) == 16 && offsetof(TexelRun, part) == 28);
 #define SPANLINE_PIECE(PIXEL, a, b, c, d)                                      \
   PIXEL(a) SPANLINE_STEP PIXEL(b) SPANLINE_STEP PIXEL(c) SPANLINE_STEP PIXEL(d)
 #define SPANLINE_BLOCK(PIXEL)                                                  \
-  SPANLINE_PIECE(PIXEL, 0, 2, 4, 6) SPANLINE_STEP SPANLINE_BEND                \
-  SPANLINE_PIECE(PIXEL, 8, 10, 12, 14) SPANLINE_STEP SPANLINE_BEND             \
-  SPANLINE_PIECE(PIXEL, 16, 18, 20, 22) SPANLINE_STEP SPANLINE_BEND            \
+  SPANLINE_PIECE(PIXEL, 0, 2, 4, 6) SPANLINE_STEP SPANLINE_NEXT_PIECE                \
+  SPANLINE_PIECE(PIXEL, 8, 10, 12, 14) SPANLINE_STEP SPANLINE_NEXT_PIECE             \
+  SPANLINE_PIECE(PIXEL, 16, 18, 20, 22) SPANLINE_STEP SPANLINE_NEXT_PIECE            \
   SPANLINE_PIECE(PIXEL, 24, 26, 28, 30)
 
 #define SPANLINE_LOAD_BLOCK                                                    \
@@ -167,9 +168,9 @@ inline void TexelRun::draw_whole_blocks() {
 
 // A block from right to left: its steps are those of the piece that they lead into.
 #define SPANLINE_BLOCK_LEFTWARDS(PIXEL)                                        \
-  SPANLINE_PIECE(PIXEL, 30, 28, 26, 24) SPANLINE_BEND SPANLINE_STEP            \
-  SPANLINE_PIECE(PIXEL, 22, 20, 18, 16) SPANLINE_BEND SPANLINE_STEP            \
-  SPANLINE_PIECE(PIXEL, 14, 12, 10, 8) SPANLINE_BEND SPANLINE_STEP             \
+  SPANLINE_PIECE(PIXEL, 30, 28, 26, 24) SPANLINE_NEXT_PIECE SPANLINE_STEP            \
+  SPANLINE_PIECE(PIXEL, 22, 20, 18, 16) SPANLINE_NEXT_PIECE SPANLINE_STEP            \
+  SPANLINE_PIECE(PIXEL, 14, 12, 10, 8) SPANLINE_NEXT_PIECE SPANLINE_STEP             \
   SPANLINE_PIECE(PIXEL, 6, 4, 2, 0)
 
 // Registers as above, but on the stack dz, the run 16 bytes behind its start, and what r7 was.
@@ -215,7 +216,7 @@ inline void TexelRun::draw_part_leftwards() { SPANLINE_ENTER_BLOCK(SPANLINE_BLOC
 #undef SPANLINE_DEPTH
 #undef SPANLINE_TEXEL
 #undef SPANLINE_STEP
-#undef SPANLINE_BEND
+#undef SPANLINE_NEXT_PIECE
 #undef SPANLINE_TESTED
 #undef SPANLINE_DEPTHS_4
 #undef SPANLINE_PIECE

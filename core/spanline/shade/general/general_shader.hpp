@@ -52,7 +52,7 @@ struct GeneralShader {
       at.nearness -= surface->nearness.dx;
       --at.column;
     }
-    void bend() { coordinates.bend(); }
+    void next_piece() { coordinates.next_piece(); }
   };
 
   class Blocks {

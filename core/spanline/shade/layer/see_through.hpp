@@ -88,13 +88,12 @@ struct SeeThroughShader {
       InnerSource::back();
       mask = mask << 1 | mask >> 31;
     }
-    void bend() {
-      if constexpr (requires(InnerSource & source) { source.bend(); }) InnerSource::bend();
+    void next_piece() {
+      if constexpr (requires(InnerSource & source) { source.next_piece(); }) InnerSource::next_piece();
     }
   };
 
-  /// Blocks that end where the inner surface's do, and at multiples of 32 columns of the screen where there is a
-  /// pattern.
+  /// The inner surface's blocks, cut at multiples of 32 columns of the screen as well where there is a pattern.
   class Blocks {
    public:
     Blocks(const Surface& surface, std::int32_t column) : surface_(surface), inner_(surface.inner, column) {
@@ -156,7 +155,7 @@ struct SeeThroughShader {
             walk_.next();
             return;
           }
-          // The pattern's blocks end inside those of affine textures alone, which are as long as the row.
+          // The pattern cuts affine textures alone, whose one source serves the whole row.
           new (&walk_) Walk(at(surface_, column_));
         } else {
           walk_ = at(surface_, column_);

@@ -44,7 +44,7 @@ struct PixelwiseShader {
       light -= step;
       --column;
     }
-    void bend() { coordinates.bend(); }
+    void next_piece() { coordinates.next_piece(); }
   };
 
   class Blocks {

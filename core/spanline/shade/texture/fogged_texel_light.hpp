@@ -23,7 +23,7 @@ namespace spanline {
 /// sum is never above 32.
 struct FoggedTexelLight {
   static constexpr bool interpolates = true, fogged = true;
-  static constexpr std::uint32_t block = 16, piece = 4;
+  static constexpr std::uint32_t block_columns = 16, piece_columns = 4;
 
   /// Two levels of 6 bits and 10 fraction bits.
   struct Levels {
@@ -44,14 +44,14 @@ struct FoggedTexelLight {
     void forward() {}
     void back() {}
     /// To the next piece of the block.
-    void bend() {
+    void next_piece() {
       levels += step;
       set();
     }
     /// To the first piece of the next block.
     void next_block() {
       const Levels start = end;
-      end_column += static_cast<std::int32_t>(block);
+      end_column += static_cast<std::int32_t>(block_columns);
       end = surface->levels_at(end_column);
       const std::int32_t light_way = signed_word(end.light - start.light), fog_way = signed_word(end.fog - start.fog);
       // Those of the first piece's middle. One of the halves is a unit less, so that levels which make 32 together are
@@ -94,13 +94,13 @@ struct FoggedTexelLight {
     return {(in_28_bits(light.at(column)) >> 13) * (256 - share_256) >> 8, share_256 << 7};
   }
   [[nodiscard]] Stepper at(std::int32_t column) const {
-    const std::uint32_t into = word(column + origin) & (block - 1);
+    const std::uint32_t into = word(column + origin) & (block_columns - 1);
     Stepper stepper;
     stepper.surface = this;
     stepper.end_column = column - signed_word(into);
     stepper.end = levels_at(stepper.end_column);
     stepper.next_block();
-    stepper.skip(into / piece);
+    stepper.skip(into / piece_columns);
     return stepper;
   }
 
@@ -146,8 +146,8 @@ struct FoggedTexelLight {
   }
 };
 
-/// Textures in fog, lit or not: what RepeatedTextureShader is without.
+/// Textures in fog, lit or not: what NearestTextureShader is without.
 template <class Format, TexelFormat Texels>
-using FoggedTextureShader = TextureShader<Format, RepeatedTexels<Texels>, FoggedTexelLight>;
+using FoggedTextureShader = TextureShader<Format, NearestTexels<Texels>, FoggedTexelLight>;
 
 }  // namespace spanline

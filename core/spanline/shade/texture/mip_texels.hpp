@@ -17,7 +17,7 @@ namespace spanline {
 /// Distances are rounded to 32nds of a texel, and the four weights, products of two distances, to 32nds whose sum is
 /// 32; all channels are weighed at once, and the sum is rounded once.
 template <TextureFilter Filter>
-class LevelTexels {
+class MipTexels {
  public:
   static constexpr TextureFilter filter = Filter;
   static constexpr bool has_holes = false, in_bytes = false, has_levels = true;
@@ -25,10 +25,10 @@ class LevelTexels {
   [[nodiscard]] static constexpr int fraction_v(unsigned) { return 16; }
 
   [[nodiscard]] static bool serves(const Texture& texture) {
-    return RepeatedTexels<TexelFormat::rgb565>::serves(texture);
+    return NearestTexels<TexelFormat::rgb565>::serves(texture);
   }
-  [[nodiscard]] static LevelTexels of(const Texturing& texturing, const TexelDensity& density) {
-    LevelTexels texels;
+  [[nodiscard]] static MipTexels of(const Texturing& texturing, const TexelDensity& density) {
+    MipTexels texels;
     texels.texture_ = texturing.texture;
     texels.density_ = density;
     texels.by_span_ = texturing.mip_mapping == MipMapping::span;

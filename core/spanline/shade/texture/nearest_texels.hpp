@@ -26,7 +26,7 @@ struct TexelLevel {
 /// Nearest texels of a texture that repeats both ways: u has 16 fraction bits, v as many more as make its rows whole
 /// lines of the table, 12 + log2 of the width.
 template <TexelFormat Format>
-struct RepeatedTexels {
+struct NearestTexels {
   static constexpr TextureFilter filter = TextureFilter::nearest;
   static constexpr bool has_levels = false;
   static constexpr bool has_holes = Format == TexelFormat::rgb565_cutout;
@@ -43,7 +43,7 @@ struct RepeatedTexels {
   [[nodiscard]] static bool serves(const Texture& texture) {
     return texture.format == Format && texture.wrap_s == Wrap::repeat && texture.wrap_t == Wrap::repeat;
   }
-  [[nodiscard]] static RepeatedTexels of(const TexelLevel& level) {
+  [[nodiscard]] static NearestTexels of(const TexelLevel& level) {
     if constexpr (in_bytes)
       return {level.bytes, level.palette, level.mask_u, level.mask_v};
     else

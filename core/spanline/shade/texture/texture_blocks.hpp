@@ -16,7 +16,7 @@ class TextureBlocks {
 
   TextureBlocks(const TexturePlane& plane, std::int32_t column);
 
-  /// Pixels left in the piece, and to the end of the pieces that one source serves with `bend` between them.
+  /// Pixels left in the piece, and to the end of the pieces that one source serves with `next_piece` between them.
   [[nodiscard]] std::uint32_t rest() const { return rest_; }
   [[nodiscard]] std::uint32_t rest_of_block() const {
     return curved_ ? word(block_columns - ((column_ + plane_.origin) & (block_columns - 1))) : rest_;

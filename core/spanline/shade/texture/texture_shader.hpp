@@ -33,7 +33,7 @@ struct NoTexelLight {
     [[nodiscard]] std::uint32_t apply(std::uint32_t rgb565) const { return rgb565; }
     void forward() {}
     void back() {}
-    void bend() {}
+    void next_piece() {}
     void next_block() {}
   };
   void next_row() {}
@@ -56,7 +56,7 @@ struct FlatTexelLight {
     }
     void forward() {}
     void back() {}
-    void bend() {}
+    void next_piece() {}
     void next_block() {}
   };
   std::uint32_t level;
@@ -82,7 +82,7 @@ struct GouraudTexelLight {
     }
     void forward() { value += step; }
     void back() { value -= step; }
-    void bend() {}
+    void next_piece() {}
     void next_block() {}
   };
   LinearFunction light;
@@ -130,18 +130,18 @@ struct TextureShader {
       coordinates.back();
       light.back();
     }
-    void bend() {
-      coordinates.bend();
-      light.bend();
+    void next_piece() {
+      coordinates.next_piece();
+      light.next_piece();
     }
     // Blocks that are kept elsewhere; light goes on, and is told of the next one.
     void next_block() {
       light.next_block();
       if constexpr (Texels::has_levels) texels.next_block();
     }
-    void bend(const TextureBlock& block) {
-      coordinates.bend(block);
-      light.bend();
+    void next_piece(const TextureBlock& block) {
+      coordinates.next_piece(block);
+      light.next_piece();
     }
     void restart(const TextureBlock& block) {
       coordinates.restart(block);
@@ -248,9 +248,9 @@ struct TextureShader {
 
 /// The fast shaders for one way to read a texture.
 template <class Format, TexelFormat Texels, class Light>
-using RepeatedTextureShader = TextureShader<Format, RepeatedTexels<Texels>, Light>;
+using NearestTextureShader = TextureShader<Format, NearestTexels<Texels>, Light>;
 /// The same for RGB565 with mip maps or without, nearest or bilinear.
 template <class Format, TextureFilter Filter, class Light>
-using LevelTextureShader = TextureShader<Format, LevelTexels<Filter>, Light>;
+using MipTextureShader = TextureShader<Format, MipTexels<Filter>, Light>;
 
 }  // namespace spanline

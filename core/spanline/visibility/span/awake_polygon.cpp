@@ -9,7 +9,7 @@ namespace {
 
 /// Rows of a triangle, biased.
 struct Rows {
-  std::int32_t first, bend, end;
+  std::int32_t first, knee, end;
 };
 
 Rows rows_of(const Triangle& t, const ThirdEdge& third) {
@@ -17,14 +17,14 @@ Rows rows_of(const Triangle& t, const ThirdEdge& third) {
 }
 
 /// Brings fixed edges from the polygon's first row down to `row`.
-void move_down(FixedEdges& edges, bool right_bends, const Rows& rows, std::int32_t row) {
+void move_down(FixedEdges& edges, bool third_on_right, const Rows& rows, std::int32_t row) {
   const std::uint32_t down = word(row - rows.first);
   edges.left += edges.left_step * down;
   edges.right += edges.right_step * down;
-  if (row < rows.bend) return;
-  const std::uint32_t at_bend = edges.third + edges.third_step * word(row - rows.bend);
-  (right_bends ? edges.right : edges.left) = at_bend;
-  (right_bends ? edges.right_step : edges.left_step) = edges.third_step;
+  if (row < rows.knee) return;
+  const std::uint32_t at_knee = edges.third + edges.third_step * word(row - rows.knee);
+  (third_on_right ? edges.right : edges.left) = at_knee;
+  (third_on_right ? edges.right_step : edges.left_step) = edges.third_step;
 }
 
 Edge edge_between(const ScreenVertex& from, const ScreenVertex& to, std::int32_t row) {
@@ -35,7 +35,7 @@ Edge edge_between(const ScreenVertex& from, const ScreenVertex& to, std::int32_t
 
 /// The third edge of a large polygon, on biased `row`.
 void place_third_edge(AwakePolygon& polygon, const Triangle& t, std::int32_t row) {
-  if (polygon.right_bends)
+  if (polygon.third_on_right)
     polygon.large.right = edge_between(*t.b, *t.c, row);
   else
     polygon.large.left = edge_between(*t.c, *t.b, row);
@@ -44,17 +44,17 @@ void place_third_edge(AwakePolygon& polygon, const Triangle& t, std::int32_t row
 void place_large(AwakePolygon& polygon, const Triangle& t, const Rows& rows, std::int32_t row) {
   polygon.fraction_bits = 0;
   polygon.origin = 0;
-  const bool bent = row >= rows.bend;
-  if (!bent || polygon.right_bends) polygon.large.left = edge_between(*t.a, *t.c, row);
-  if (!bent || !polygon.right_bends) polygon.large.right = edge_between(*t.a, *t.b, row);
-  if (bent) place_third_edge(polygon, t, row);
+  const bool past_knee = row >= rows.knee;
+  if (!past_knee || polygon.third_on_right) polygon.large.left = edge_between(*t.a, *t.c, row);
+  if (!past_knee || !polygon.third_on_right) polygon.large.right = edge_between(*t.a, *t.b, row);
+  if (past_knee) place_third_edge(polygon, t, row);
 }
 
 [[gnu::noinline]] Rows place_wide(AwakePolygon& polygon, Triangle& t, bool scissored, std::int32_t row) {
   if (t.wide_doubled_area() < 0) t.flip();
   const ThirdEdge third = ThirdEdge::of(t);
   const Rows rows = rows_of(t, third);
-  polygon.right_bends = third.on_right;
+  polygon.third_on_right = third.on_right;
   if (scissored || !medium_triangle::fits(t)) {
     place_large(polygon, t, rows, row);
     return rows;
@@ -62,9 +62,9 @@ void place_large(AwakePolygon& polygon, const Triangle& t, const Rows& rows, std
   const std::int32_t origin = medium_triangle::origin_of(t);
   polygon.fraction_bits = medium_triangle::fraction_bits;
   polygon.origin = static_cast<std::int16_t>(origin - row_bias);
-  medium_triangle::set_edges(t, third, origin, 16 * rows.first + 8 - t.ay, 16 * rows.bend + 8 - t.ay - third.y,
+  medium_triangle::set_edges(t, third, origin, 16 * rows.first + 8 - t.ay, 16 * rows.knee + 8 - t.ay - third.y,
                              polygon.fixed);
-  move_down(polygon.fixed, polygon.right_bends, rows, row);
+  move_down(polygon.fixed, polygon.third_on_right, rows, row);
   return rows;
 }
 
@@ -95,20 +95,20 @@ std::int32_t wake(AwakePolygon& polygon, const PolygonSource& source, Link numbe
     if (area < 0) t.flip();
     const ThirdEdge third = ThirdEdge::of(t);
     rows = rows_of(t, third);
-    polygon.right_bends = third.on_right;
+    polygon.third_on_right = third.on_right;
     polygon.fraction_bits = small_triangle::fraction_bits;
     polygon.origin = static_cast<std::int16_t>(small_triangle::origin_of(t));
-    small_triangle::set_edges(t, third, 16 * rows.first + 8 - t.ay, 16 * rows.bend + 8 - t.ay - third.y, polygon.fixed);
-    if (biased_row != rows.first || rows.first == rows.bend)
-      move_down(polygon.fixed, polygon.right_bends, rows, biased_row);
+    small_triangle::set_edges(t, third, 16 * rows.first + 8 - t.ay, 16 * rows.knee + 8 - t.ay - third.y, polygon.fixed);
+    if (biased_row != rows.first || rows.first == rows.knee)
+      move_down(polygon.fixed, polygon.third_on_right, rows, biased_row);
   } else {
     Triangle kept = t;  // a copy, so that the triangle itself stays in registers on the usual way
     rows = place_wide(polygon, kept, scissored, biased_row);
   }
   const std::int32_t end = rows.end - row_bias;
   polygon.end_row = static_cast<std::uint16_t>(end < source.viewport.height ? end : source.viewport.height);
-  const std::int32_t bend = rows.bend - row_bias;
-  polygon.turn_row = row < bend && bend < polygon.end_row ? static_cast<std::uint16_t>(bend) : polygon.end_row;
+  const std::int32_t knee = rows.knee - row_bias;
+  polygon.turn_row = row < knee && knee < polygon.end_row ? static_cast<std::uint16_t>(knee) : polygon.end_row;
   return polygon.fraction_bits != 0 ? place_columns(polygon) : cut_columns(polygon, source.viewport.width);
 }
 
@@ -119,7 +119,7 @@ bool turn(AwakePolygon& polygon, const PolygonSource& source, std::int32_t row) 
     FixedEdges& edges = polygon.fixed;
     edges.left += edges.left_step;
     edges.right += edges.right_step;
-    edges.bend(polygon.right_bends);
+    edges.put_third(polygon.third_on_right);
     return true;
   }
   polygon.large.left.next_row();

@@ -18,7 +18,7 @@ namespace spanline {
 /// Members are ordered for Thumb-1, whose loads reach 31 bytes, 31 half-words and 31 words.
 struct AwakePolygon {
   std::uint8_t fraction_bits;  ///< of `fixed` columns; 0: the edges are in `large`
-  bool right_bends;            ///< the third edge is on the right
+  bool third_on_right;         ///< the third edge is on the right
   bool has_plane;
   bool has_surface;
   std::int16_t origin;        ///< screen column that fixed columns count from

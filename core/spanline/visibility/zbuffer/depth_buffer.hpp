@@ -310,7 +310,7 @@ class DepthBuffer {
 
   /// Whether any pixel centre lies inside, on the viewport's rows and columns.
   static bool covers_pixels(ActiveTriangle triangle, const PolygonCorners& corners, Viewport viewport) {
-    while (triangle.rows_to_bend + triangle.rows_after_bend > 0) {
+    while (triangle.rows_to_knee + triangle.rows_after_knee > 0) {
       const RowColumns columns = step_row(triangle, [&] { return corners; });
       const std::int32_t first = triangle.origin + columns.first, end = triangle.origin + columns.end;
       if (std::min(end, viewport.width) > std::max<std::int32_t>(first, 0)) return true;
@@ -328,7 +328,7 @@ class DepthBuffer {
   bool overflowed_ = false;
 };
 
-/// Visibility of a renderer: a depth buffer with bounds for blocks of 32 columns, for scenes of large polygons that
+/// Visibility of a renderer: a depth buffer with bounds for tiles of 32 columns, for scenes of large polygons that
 /// hide one another. The same bytes; 1/16 more memory for depth; small polygons pay a few instructions each.
 struct BoundedZBuffer {
   template <class Depth, class Pixel, class Shaders, bool Counting>

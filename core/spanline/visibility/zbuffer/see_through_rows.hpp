@@ -21,7 +21,7 @@ struct SeeThroughRows {
   template <class Surface, class CornersOf>
   [[gnu::noinline]] static bool draw(ActiveTriangle& triangle, Surface& surface, const Target& target,
                                      Fragments& fragments, CornersOf corners_of) {
-    while (triangle.rows_to_bend + triangle.rows_after_bend > 0) {
+    while (triangle.rows_to_knee + triangle.rows_after_knee > 0) {
       if (triangle.row == target.end_row) return true;
       const std::int32_t row = triangle.row - target.first_row;
       RowColumns columns = step_row(triangle, corners_of);

@@ -22,11 +22,11 @@ class TriangleRows {
   using Target = std::conditional_t<Bounded, BoundedBandTarget<Depth, Pixel>, BandTarget<Depth, Pixel>>;
   using Run = DepthRun<Depth, Pixel>;
 
-  /// `corners_of` gives the polygon's corners, asked for only where a large triangle meets its bend. True if the
+  /// `corners_of` gives the polygon's corners, asked for only where a large triangle meets its knee. True if the
   /// triangle goes on below the band.
   template <class Surface, class CornersOf>
   static bool draw(ActiveTriangle& triangle, Surface& surface, const Target& target, CornersOf corners_of) {
-    const std::int32_t before = triangle.rows_to_bend, after = triangle.rows_after_bend;
+    const std::int32_t before = triangle.rows_to_knee, after = triangle.rows_after_knee;
     const std::int32_t available = target.end_row - triangle.row;
     if constexpr (Bounded) {
       if (triangle.flags.size() != ActiveTriangle::Size::large)
@@ -43,8 +43,8 @@ class TriangleRows {
       surface.skip_rows(available);
     }
     triangle.row = target.end_row;
-    triangle.rows_to_bend = before - before_here;
-    triangle.rows_after_bend = after - after_here;
+    triangle.rows_to_knee = before - before_here;
+    triangle.rows_after_knee = after - after_here;
     return true;
   }
 
@@ -64,9 +64,9 @@ class TriangleRows {
     if (FixedRows<Depth, Pixel, Counts>::draw(triangle, surface, target, before, after)) return;
     if (before > 0) large_rows(triangle, surface, target, before);
     if (after > 0) {
-      if (!triangle.flags.bent()) {
-        bend_large(corners_of(), triangle);
-        triangle.flags.set_bent();
+      if (!triangle.flags.past_knee()) {
+        put_third_large_edge(corners_of(), triangle);
+        triangle.flags.set_past_knee();
       }
       large_rows(triangle, surface, target, after);
     }

@@ -28,7 +28,7 @@ void check_bands(unsigned factor) {
       for (auto& sample : band)
         sample = static_cast<std::uint16_t>(random.between(0, 3) == 0 ? 0xffff : random.between(0, 65535));
       const std::vector<std::uint16_t> samples = band;
-      average_band<Format>(band.data(), width, lines, factor);
+      average_samples<Format>(band.data(), width, lines, factor);
       for (std::size_t y = 0; y < lines; ++y)
         for (std::size_t x = 0; x < width; ++x) {
           std::array<unsigned, 3> sum{};
@@ -85,7 +85,7 @@ double error_against_blending(unsigned factor, unsigned seed) {
   }
   auto picture = studio.draw();
   EXPECT_TRUE(studio.status().ok());
-  average_band<Rgb565>(picture.pixels.data(), size, size, factor);
+  average_samples<Rgb565>(picture.pixels.data(), size, size, factor);
   double sum = 0;
   for (std::size_t i = 0; i < std::size_t{size} * size; ++i) {
     const auto got = split(picture.pixels[i]);

@@ -13,7 +13,7 @@ namespace {
 
 template <class Shader, class Depth = Depth24<>, class Visibility = ZBuffer>
 using Alone = RendererTraits<Rgb565, ShaderList<FlatShader<Rgb565>, GouraudShader<Rgb565>, Shader>, Depth, Visibility>;
-using Fast = LevelTextureShader<Rgb565, TextureFilter::bilinear, NoTexelLight>;
+using Fast = MipTextureShader<Rgb565, TextureFilter::bilinear, NoTexelLight>;
 
 /// The mean of the four texels around a point of the texture, in steps of RGB565's channels.
 struct Mean {
@@ -109,7 +109,7 @@ TEST(Bilinear, BandsAndSpansDrawTheSameBytes) {
                       .shading = ShadingMode::gouraud,
                       .texturing = {.texture = &own.texture, .filter = TextureFilter::bilinear}};
     material.texturing.mip_mapping = static_cast<MipMapping>(random.between(0, 2));
-    using Lit = LevelTextureShader<Rgb565, TextureFilter::bilinear, GouraudTexelLight>;
+    using Lit = MipTextureShader<Rgb565, TextureFilter::bilinear, GouraudTexelLight>;
     expect_alike_in_bands_and_spans<Alone<Lit>, Alone<Lit, Depth24<>, Spanning>>(shaded.instance, shaded.settings,
                                                                                  material);
     ASSERT_FALSE(HasFailure()) << "round " << i;

@@ -49,7 +49,7 @@ struct Stairs {
     [[nodiscard]] std::uint16_t get() const { return value; }
     void forward() { ++value; }
     void back() { --value; }
-    void bend() {}
+    void next_piece() {}
   };
   struct Blocks {
     std::int32_t column;

@@ -166,7 +166,7 @@ TEST(TexturesStay, AffineMappingIsTheLinearFunctionOfTheScreen) {
 template <class Depth, class Visibility>
 using CutOuts = RendererTraits<
     Rgb565,
-    ShaderList<FlatShader<Rgb565>, RepeatedTextureShader<Rgb565, TexelFormat::rgb565_cutout, NoTexelLight>,
+    ShaderList<FlatShader<Rgb565>, NearestTextureShader<Rgb565, TexelFormat::rgb565_cutout, NoTexelLight>,
                SeeThroughShader<Rgb565, FlatShader<Rgb565>>>,
     Depth, Visibility>;
 

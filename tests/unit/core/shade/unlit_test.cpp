@@ -88,8 +88,8 @@ TEST(Unlit, AWhiteSurfaceShowsItsTexels) {
 }
 
 TEST(Unlit, AListOfTheShaderWithoutLightAloneServesThem) {
-  using Traits = RendererTraits<Depth16<>, Rgb565,
-                                ShaderList<RepeatedTextureShader<Rgb565, TexelFormat::rgb565, NoTexelLight>>, true>;
+  using Traits =
+      RendererTraits<Rgb565, ShaderList<NearestTextureShader<Rgb565, TexelFormat::rgb565, NoTexelLight>>, Counted>;
   Material unlit = scene::lit_material;
   unlit.lit = false;
   EXPECT_EQ(drawn<Traits>(scene::lit_mesh, unlit, lit_settings(scene::settings())).pixels,

@@ -1,4 +1,4 @@
-// Depth bounds for blocks of a line: the same bytes as without them, and most depths never looked at where large
+// Depth bounds for tiles of a line: the same bytes as without them, and most depths never looked at where large
 // polygons hide one another.
 #include <gtest/gtest.h>
 #include <spanline/frame/ready_made_traits.hpp>
