@@ -28,6 +28,14 @@ Capacity some_capacity(Random& random) {
 static_assert(R::bytes_needed({.width = 128, .height = 64, .band_lines = 8, .polygons = 100}) < 16384,
               "a board can hold its budget at compile time");
 
+TEST(Memory, ARendererWithoutAnyPolygonsTakesItsBandsAndNothingElse) {
+  // Two colour bands and a depth band of 16 words each, two buckets, and 7 bytes to find an address of 8.
+  constexpr Capacity bands_alone{.width = 8, .height = 4, .band_lines = 2, .instances = 0};
+  constexpr std::size_t bands = 3 * 16 * 2, buckets = 2 * sizeof(Link);
+  EXPECT_EQ(Renderer<FlatTraits<>>::bytes_needed(bands_alone), bands + buckets + 7);
+  EXPECT_EQ(Renderer<GeneralTraits<>>::bytes_needed(bands_alone), bands + buckets + 7);
+}
+
 TEST(Memory, BytesNeededIsEnoughAtEveryAlignment) {
   Random random(1);
   for (int i = 0; i < rounds(300); ++i) {
