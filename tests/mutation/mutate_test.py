@@ -17,6 +17,7 @@ def draw(verdict, **changes):
     numbers = iter(range(10**6))
     with tempfile.TemporaryDirectory() as folder, \
             mock.patch.object(mutate, "RESULTS", pathlib.Path(folder) / "results.json"), \
+            mock.patch.object(mutate, "read_table", lambda _: {}), \
             mock.patch.object(mutate, "judge", lambda *_: verdict(next(numbers))), mock.patch("builtins.print"):
         run = mutate.Run(arguments, mutate.Results(False), {})
         run.take_draw()
