@@ -62,6 +62,12 @@ def copy_tree():
     (TREE / "build").mkdir(exist_ok=True)
 
 
+def put(path, text):
+    """Writes what is not there already: dates tell what must be compiled."""
+    if path.read_text() != text:
+        path.write_text(text)
+
+
 def configure():
     done = subprocess.run(["cmake", "--preset", "host-release", "-DSPANLINE_UNIT_TESTS=ON", "-DSPANLINE_CROSS_TESTS=OFF",
                            f"-DSPANLINE_GENERATED={ROOT / 'build/generated'}"], cwd=TREE, capture_output=True, text=True)
@@ -121,24 +127,28 @@ class Verdict:
     by: str = ""
 
 
-def judge(mutation, programs, seconds, jobs):
-    """Tries one mutation in the copy with these programs of tests, and takes it back."""
+def judge(mutation, programs, baseline):
+    """Tries one mutation in the copy with these programs of tests, and takes it back. A program is tried as it is before
+    its first mutant."""
     path = TREE / mutation.path
     source = (ROOT / mutation.path).read_text()
-    path.write_text(mutation.applied_to(source))
     try:
         for program in programs:
-            errors = build(program, jobs)
+            if program not in baseline.seconds:
+                put(path, source)
+                baseline.measure(program)
+            put(path, mutation.applied_to(source))
+            errors = build(program, baseline.jobs)
             if errors is not None:
                 if "static assertion failed" in errors:
                     return Verdict("killed", "a static assertion")
                 return Verdict("stillborn")
-            reason, _ = run(program, seconds[program])
+            reason, _ = run(program, baseline.seconds[program])
             if reason is not None:
                 return Verdict("killed", f"{program}: {reason}")
         return Verdict("survived")
     finally:
-        path.write_text(source)
+        put(path, source)
 
 
 class Baseline:
@@ -154,19 +164,16 @@ class Baseline:
         kept = json.loads(BASELINE.read_text()) if BASELINE.is_file() else {}
         self.seconds = kept["seconds"] if kept.get("digest") == self.digest else {}
 
-    def measure(self, programs):
-        for program in programs:
-            if program in self.seconds:
-                continue
-            errors = build(program, self.jobs)
-            if errors is not None:
-                raise Failure(f"{program} cannot be built as it is:\n{errors}")
-            reason, taken = run(program, 3600)
-            if reason is not None:
-                raise Failure(f"{program} fails as it is: {reason}")
-            self.seconds[program] = int(20 + 5 * taken)
-            BASELINE.write_text(json.dumps({"digest": self.digest, "seconds": self.seconds}) + "\n")
-            print(f"{program}: passes in {taken:.1f} s of processor time", flush=True)
+    def measure(self, program):
+        errors = build(program, self.jobs)
+        if errors is not None:
+            raise Failure(f"{program} cannot be built as it is:\n{errors}")
+        reason, taken = run(program, 3600)
+        if reason is not None:
+            raise Failure(f"{program} fails as it is: {reason}")
+        self.seconds[program] = int(20 + 5 * taken)
+        BASELINE.write_text(json.dumps({"digest": self.digest, "seconds": self.seconds}) + "\n")
+        print(f"{program}: passes in {taken:.1f} s of processor time", flush=True)
 
 
 def read_table(name):
@@ -222,8 +229,8 @@ class Results:
 class Run:
     """One draw and what became of it."""
 
-    def __init__(self, arguments, results, seconds):
-        self.arguments, self.results, self.seconds = arguments, results, seconds
+    def __init__(self, arguments, results, baseline):
+        self.arguments, self.results, self.baseline = arguments, results, baseline
         self.equivalents = read_table("equivalents.txt")
         self.judged, self.equivalent, self.stillborn, self.skipped = [], [], 0, []
         self.tried = set()
@@ -240,7 +247,7 @@ class Run:
         verdict = self.results.of(mutation)
         if verdict is None:
             started = time.monotonic()
-            verdict = judge(mutation, programs or programs_for(mutation.room), self.seconds, self.arguments.jobs)
+            verdict = judge(mutation, programs or programs_for(mutation.room), self.baseline)
             self.results.note(mutation, verdict)
             print(f"{verdict.state}{f' by {verdict.by}' if verdict.by else ''}, {time.monotonic() - started:.0f} s: "
                   f"{place_of(mutation)}\n  {mutation.text}\n  {mutation.changed}", flush=True)
@@ -345,9 +352,7 @@ def main():
         named = named_mutations()
         copy_tree()
         configure()
-        baseline = Baseline(arguments.jobs)
-        baseline.measure(dict.fromkeys(program for _, program in named) if arguments.named else PROGRAMS)
-        draw = Run(arguments, Results(arguments.resume), baseline.seconds)
+        draw = Run(arguments, Results(arguments.resume), Baseline(arguments.jobs))
         for mutation, program in named:
             draw.take(mutation, [program])
         named, draw.judged = draw.judged, []
