@@ -6,7 +6,7 @@
 namespace spanline {
 
 namespace detail {
-/// Leading zeros of a byte, for cores without CLZ (ARMv6-M): index 0 counts as 1 and is never asked for.
+/// Leading zeros of a byte, for cores without CLZ (ARMv6-M). The entry for 0 is not used.
 inline constexpr std::array<std::uint8_t, 256> leading_zeros_of_byte = [] {
   std::array<std::uint8_t, 256> table{};
   for (unsigned i = 0; i < 256; ++i)
@@ -39,8 +39,8 @@ inline constexpr std::array<std::uint8_t, 256> leading_zeros_of_byte = [] {
   return high != 0 ? leading_zeros_32(high) : 32 + leading_zeros_32(static_cast<std::uint32_t>(value));
 }
 
-/// The high word of the 64-bit product a·b. One instruction where the core has a long multiply; four 16-bit products
-/// on ARMv6-M, which has none.
+/// The high word of the 64-bit product a·b. This is one instruction on cores with a long multiply. ARMv6-M has none,
+/// and takes four 16-bit products instead.
 [[nodiscard]] constexpr std::uint32_t multiply_high(std::uint32_t a, std::uint32_t b) {
 #if defined(__ARM_ARCH_6M__)
   const std::uint32_t a_low = a & 0xffff, a_high = a >> 16, b_low = b & 0xffff, b_high = b >> 16;
@@ -64,8 +64,8 @@ inline constexpr std::array<std::uint8_t, 256> leading_zeros_of_byte = [] {
 #endif
 }
 
-/// value / 2^bits, rounded to nearest, halves upwards; |value| below 2^31 − 2^(bits − 1). The forms give the same:
-/// cores whose constants take instructions of their own round at the last bit.
+/// value / 2^bits, rounded to nearest, halves upwards; |value| < 2^31 − 2^(bits − 1). Both forms give the same result.
+/// The first needs no large constant, which would cost ARMv6-M extra instructions.
 [[nodiscard]] constexpr std::int32_t shift_right_rounded(std::int32_t value, int bits) {
 #if defined(__ARM_ARCH_6M__)
   return ((value >> (bits - 1)) + 1) >> 1;
@@ -74,21 +74,21 @@ inline constexpr std::array<std::uint8_t, 256> leading_zeros_of_byte = [] {
 #endif
 }
 
-/// |value| as an unsigned number; right for the most negative value too.
+/// |value| as an unsigned number, also correct for −2^31.
 [[nodiscard]] constexpr std::uint32_t magnitude(std::int32_t value) {
   return value < 0 ? 0u - static_cast<std::uint32_t>(value) : static_cast<std::uint32_t>(value);
 }
 
-/// Arithmetic modulo 2^32 on words that are read as signed or unsigned as it suits: the renderer's linear functions
-/// of (x, y) may pass through any value outside the polygon, and must come back exactly.
+/// Conversions between signed and unsigned words, for arithmetic modulo 2^32. The renderer's linear functions of (x, y)
+/// may overflow outside their polygon; modulo 2^32 they still return to the exact values inside.
 [[nodiscard]] constexpr std::uint32_t word(std::int32_t value) { return static_cast<std::uint32_t>(value); }
 [[nodiscard]] constexpr std::int32_t signed_word(std::uint32_t value) { return static_cast<std::int32_t>(value); }
 
 /// value / 255, rounded to nearest, for values in [0, 255²].
 [[nodiscard]] constexpr std::int32_t in_255ths(std::int32_t value) { return ((value + 127) * 0x8081) >> 23; }
 
-/// (a·x + b·y) / 2^bits, rounded down, modulo 2^32; |x|, |y| ≤ 2^17, bits in [0, 10]. ARMv6-M has no long product, and
-/// takes whole units and the rest apart.
+/// (a·x + b·y) / 2^bits, rounded down, modulo 2^32; |x|, |y| ≤ 2^17, bits in [0, 10]. ARMv6-M has no long product and
+/// multiplies the integer part and the fraction of a and b separately.
 [[nodiscard]] constexpr std::uint32_t sum_of_products(std::int32_t a, std::int32_t x, std::int32_t b, std::int32_t y,
                                                       int bits) {
 #if defined(__ARM_ARCH_6M__)

@@ -6,10 +6,10 @@
 
 namespace spanline {
 
-/// A fixed-point number: the integer `raw()` stands for raw() / 2^FractionBits.
+/// A fixed-point number, whose value is raw() / 2^FractionBits.
 ///
-/// Formats never mix by accident: +, − and comparison want the same format on both sides, and a product names the
-/// format of its result (`multiply`). Sums and differences wrap nowhere: the caller states a range that holds them.
+/// Formats cannot be mixed by accident: +, − and comparison require the same format on both sides, and `multiply` names
+/// the format of its result. Sums and differences must not overflow; the caller chooses a format that holds them.
 template <int FractionBits, std::signed_integral Rep = std::int32_t>
 class Fixed {
  public:
@@ -19,7 +19,7 @@ class Fixed {
 
   constexpr Fixed() = default;
 
-  /// The only door for raw integers.
+  /// The only way to make a Fixed from a raw integer.
   [[nodiscard]] static constexpr Fixed from_raw(Rep raw) { return Fixed(raw); }
 
   /// A whole number; |value| < 2^(digits − FractionBits).
@@ -48,7 +48,7 @@ class Fixed {
       return static_cast<Rep>((raw_ + (Rep{1} << (FractionBits - 1))) >> FractionBits);
   }
 
-  /// The same value in another format; dropped bits round to nearest, halves upwards.
+  /// The same value in another format, rounded to nearest, halves upwards.
   template <class Result>
   [[nodiscard]] constexpr Result convert() const {
     constexpr int shift = FractionBits - Result::fraction_bits;
@@ -72,7 +72,8 @@ class Fixed {
   Rep raw_ = 0;
 };
 
-/// a·b in the format that the caller names, rounded to nearest (halves upwards); the 64-bit product must hold it.
+/// a·b in the format that the caller names, rounded to nearest, halves upwards. The product of the raw values must fit
+/// 64 bits.
 template <class Result, class A, class B>
 [[nodiscard]] constexpr Result multiply(A a, B b) {
   constexpr int shift = A::fraction_bits + B::fraction_bits - Result::fraction_bits;
@@ -87,10 +88,11 @@ using Q2_30 = Fixed<30>;               ///< directions, sines and rotation matri
 using Q12_4 = Fixed<4, std::int16_t>;  ///< screen x and y, pixels: [−2048, 2048), steps of 1/16
 
 namespace detail {
-/// Declared and never defined: a call cannot be constant, so a literal with a foreign character does not compile.
+/// This function is declared but never defined. A call to it is no constant expression, so a literal with any character
+/// that is not part of a decimal number does not compile.
 void literal_is_not_a_decimal_number();
 
-/// Reads decimal digits "12.375" into a Fixed; anything else does not compile.
+/// Converts decimal text such as "12.375" to a Fixed, rounded to nearest. Any other text does not compile.
 template <class Format>
 constexpr Format parse_decimal(const char* text) {
   std::int64_t whole = 0;
@@ -117,8 +119,8 @@ constexpr Format parse_decimal(const char* text) {
   return Format::from_raw(static_cast<Rep>(whole * scale + (numerator * scale * 2 + denominator) / (denominator * 2)));
 }
 
-/// The value of a literal, a constant wherever it stands. (clang 14 calls a consteval operator from a template at run
-/// time.)
+/// The value of a literal. It is a variable because clang 14 calls a consteval operator at run time when a template
+/// uses it.
 template <class Format, char... Digits>
 inline constexpr Format literal = [] {
   constexpr char text[] = {Digits..., '\0'};
@@ -132,7 +134,7 @@ template <char... Digits>
 constexpr Q16_16 operator""_q16() {
   return detail::literal<Q16_16, Digits...>;
 }
-/// `0.75_q24`: a Q8.24 constant, as scales are.
+/// `0.75_q24`: a Q8.24 constant, the format of scales.
 template <char... Digits>
 constexpr Fixed<24> operator""_q24() {
   return detail::literal<Fixed<24>, Digits...>;

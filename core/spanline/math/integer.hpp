@@ -33,7 +33,8 @@ struct FloorDivision {
   return (value + (std::int64_t{1} << (shift - 1))) >> shift;
 }
 
-/// The integer part of √value, digit by digit in base 4 (Woo's abacus method): 32 steps at most, no division.
+/// The integer part of √value, computed one base-4 digit at a time (Woo's abacus method) in at most 32 steps, without
+/// division.
 [[nodiscard]] constexpr std::uint32_t square_root(std::uint64_t value) {
   if (value == 0) return 0;
   std::uint64_t bit = std::uint64_t{1} << ((63 - std::countl_zero(value)) & ~1);

@@ -1,4 +1,6 @@
 #pragma once
+/// @file
+/// The inverse square root by a table and Newton's method, x ← x + x·(1 − a·x²) / 2.
 #include <array>
 #include <cstdint>
 
@@ -9,7 +11,7 @@
 namespace spanline {
 
 namespace detail {
-/// 2^15 / √m at the middle of intervals of m in [1, 4), 32 of them to a unit.
+/// 2^15 / √m for m in [1, 4), at the middles of 96 intervals of 1/32 each.
 inline constexpr std::array<std::uint16_t, 96> inverse_root_seed = [] {
   std::array<std::uint16_t, 96> table{};
   // 2^15 / √((2i + 65) / 64) = √(2^36 / (2i + 65))
@@ -19,12 +21,12 @@ inline constexpr std::array<std::uint16_t, 96> inverse_root_seed = [] {
 }();
 }  // namespace detail
 
-/// ≈ 2^46 / √value for a value in [2^30, 2^32): a table of 96 and two Newton steps. The result is in [2^30, 2^31];
-/// relative error at most 2^-26 (tested).
+/// ≈ 2^46 / √value for a value in [2^30, 2^32): a table of 96 entries and two Newton steps. The result is in [2^30,
+/// 2^31]; its relative error is at most 2^-26 (tested).
 [[nodiscard]] constexpr std::uint32_t inverse_root_32(std::uint32_t value) {
   std::uint32_t root = std::uint32_t{detail::inverse_root_seed[(value >> 25) - 32]} << 16;
   for (int step = 0; step < 2; ++step) {
-    // 1 − value·root²/2^92 in Q28; a half of it is the share of the root that is missing.
+    // The relative error of root² is 1 − value·root²/2^92, here in Q28; that of the root is half of it.
     const std::int32_t error = (1 << 28) - signed_word(multiply_high(multiply_high(root, root), value));
     root += word(static_cast<std::int32_t>((static_cast<std::int64_t>(root) * error) >> 29));
   }
@@ -33,12 +35,13 @@ inline constexpr std::array<std::uint16_t, 96> inverse_root_seed = [] {
 
 /// A vector as a direction and a length.
 struct DirectedLength {
-  Direction direction{};     ///< unit vector, error at most 2^-25 a component; zero for the zero vector
-  std::uint64_t square = 0;  ///< of the length, in units of 2^(2·exponent)
-  int exponent = 0;
+  Direction direction{};     ///< unit vector, error at most 2^-25 in each component; (0, 0, 0) for the zero vector
+  std::uint64_t square = 0;  ///< square of the length, in units of 2^(2·exponent), below 2^62
+  int exponent = 0;          ///< binary exponent of the unit of length
 };
 
-/// Of integers below 2^62. Cheaper than `normalise` and less exact: no division.
+/// The direction and length of the vector (x, y, z), |component| < 2^62. This takes no division, so it is cheaper and
+/// less exact than `normalise`.
 [[nodiscard]] constexpr DirectedLength direction_and_length(std::int64_t x, std::int64_t y, std::int64_t z) {
   const auto absolute = [](std::int64_t v) { return static_cast<std::uint64_t>(v < 0 ? -v : v); };
   const std::uint64_t greatest = absolute(x) | absolute(y) | absolute(z);

@@ -4,7 +4,7 @@
 
 namespace spanline {
 
-/// A rotation: three orthonormal rows, Q2.30.
+/// A rotation matrix of three orthonormal rows, Q2.30.
 struct Rotation {
   Direction row[3] = {{Q2_30::from_int(1), {}, {}}, {{}, Q2_30::from_int(1), {}}, {{}, {}, Q2_30::from_int(1)}};
 
@@ -24,7 +24,8 @@ struct Rotation {
   }
 };
 
-/// Turns counter-clockwise about x, y or z when looking against the axis (right-handed, as in OpenGL).
+/// Rotations about the x, y or z axis, counter-clockwise for a viewer to whom the axis points (right-handed, as in
+/// OpenGL).
 [[nodiscard]] constexpr Rotation rotation_x(Angle angle) {
   const Q2_30 s = sine(angle), c = cosine(angle), one = Q2_30::from_int(1);
   return {{{one, {}, {}}, {{}, c, -s}, {{}, s, c}}};

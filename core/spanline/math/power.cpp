@@ -10,7 +10,8 @@ namespace {
 
 constexpr unsigned log_bits = 7, exponential_bits = 6;
 
-/// log2 of a number in [2^62, 2^63), less 62, in 65536ths: a digit of the logarithm is whether the square doubles.
+/// log2(value / 2^62) in Q16 for a value in [2^62, 2^63). Squaring the mantissa doubles its logarithm, whose integer
+/// part, 0 or 1, is the next binary digit (Knuth, The Art of Computer Programming 1, section 1.2.2).
 constexpr std::uint32_t fraction_of_log2(std::uint64_t value) {
   std::uint64_t mantissa = value >> 31;  // Q31
   std::uint32_t digits = 0;
@@ -24,7 +25,8 @@ constexpr std::uint32_t fraction_of_log2(std::uint64_t value) {
   return (digits + (1u << (count - 17))) >> (count - 16);
 }
 
-/// log2(1 + i / 128) in 65536ths; the last, 65536, wraps to 0 as differences of neighbours want it.
+/// log2(1 + i / 128) in Q16. The last entry, 65536, is stored as 0, since differences of neighbours are taken modulo
+/// 2^16.
 constexpr std::array<std::uint16_t, (1u << log_bits) + 1> logarithms = [] {
   std::array<std::uint16_t, (1u << log_bits) + 1> table{};
   for (std::size_t i = 0; i < 1u << log_bits; ++i)
@@ -32,10 +34,10 @@ constexpr std::array<std::uint16_t, (1u << log_bits) + 1> logarithms = [] {
   return table;
 }();
 
-/// 2^(−i / 64) in 65535ths.
+/// 2^(−i / 64) in units of 1/65535.
 constexpr std::array<std::uint16_t, (1u << exponential_bits) + 1> exponentials = [] {
   std::array<std::uint16_t, (1u << exponential_bits) + 1> table{};
-  std::uint64_t root = std::uint64_t{1} << 31;  // 1/2 in Q32, and its roots
+  std::uint64_t root = std::uint64_t{1} << 31;  // 1/2 in Q32, then its repeated square roots
   std::array<std::uint64_t, exponential_bits + 1> roots{};
   for (std::uint64_t& r : roots) {
     r = root;
@@ -54,7 +56,7 @@ constexpr std::array<std::uint16_t, (1u << exponential_bits) + 1> exponentials =
 
 std::uint32_t power(std::uint32_t base, std::uint32_t exponent) {
   const int zeros = leading_zeros_32(base);
-  // The mantissa behind its leading 1: an entry, and the way to the next in 2^-16.
+  // The mantissa without its leading 1: the index of a table entry, and the position between it and the next in Q16.
   const std::uint32_t fraction = base << zeros << 1;
   const std::uint32_t entry = fraction >> (32 - log_bits), way = (fraction >> (16 - log_bits)) & 65535;
   const std::uint32_t step = (std::uint32_t{logarithms[entry + 1]} - logarithms[entry]) & 65535;

@@ -7,7 +7,7 @@
 
 namespace spanline {
 
-/// An angle as a share of the full turn: raw 2^32 is 360°, so that sums wrap as angles do.
+/// An angle in units of 2^-32 turn, so that sums wrap at 360°.
 class Angle {
  public:
   constexpr Angle() = default;
@@ -28,7 +28,7 @@ class Angle {
 };
 
 namespace detail {
-/// sin(x) for x in [0, π/2], both Q30, by its Taylor series to x^15 in integers; error below 2^-29.
+/// sin(x) for x in [0, π/2], both Q30, by the Taylor series up to x^15 in integers; error below 2^-29.
 constexpr std::int64_t sine_by_series(std::int64_t x) {
   std::int64_t term = x;
   std::int64_t sum = x;
@@ -42,11 +42,12 @@ constexpr std::int64_t sine_by_series(std::int64_t x) {
 
 inline constexpr std::int64_t half_pi_q30 = 1686629713;  // round(π/2 · 2^30)
 
-/// Sines of the first quadrant in 256 steps, Q30, made by the compiler from integers alone.
+/// Sines of the first quadrant in 256 steps, Q30, computed at compile time in integers.
 inline constexpr std::array<std::int32_t, 257> sine_table = [] {
   std::array<std::int32_t, 257> table{};
   for (int i = 0; i <= 256; ++i) {
-    // Past 45° the cosine series of the complement would converge faster, but 15 terms serve both.
+    // Above 45° the cosine series of the complement would converge faster, but the sine series up to x^15 is exact
+    // enough.
     const std::int64_t value = sine_by_series((half_pi_q30 * i + 128) / 256);
     table[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(value > (1 << 30) ? (1 << 30) : value);
   }
@@ -54,8 +55,8 @@ inline constexpr std::array<std::int32_t, 257> sine_table = [] {
 }();
 }  // namespace detail
 
-/// sin(angle), error at most 2^-27 (tested): a table of a quadrant and the angle-sum formula
-/// sin(a + d) ≈ sin a + d·cos a − d²/2·sin a − d³/6·cos a for the rest d below 1/256 of a quadrant.
+/// sin(angle), error at most 2^-27 (tested). A table gives sin a and cos a at the next lower 1/256 of a quadrant, and
+/// the angle-sum formula adds the rest d: sin(a + d) ≈ sin a + d·cos a − d²/2·sin a − d³/6·cos a.
 [[nodiscard]] constexpr Q2_30 sine(Angle angle) {
   std::uint32_t phase = angle.raw() & 0x7fffffffu;       // within half a turn
   if (phase > 0x40000000u) phase = 0x80000000u - phase;  // mirrored into the first quadrant

@@ -7,7 +7,7 @@
 
 namespace spanline {
 
-/// Three components of one format. The space (model, world, view) stands in the name of the variable.
+/// A vector of three components in one format. The names of variables say which space (model, world, view) they are in.
 template <class T>
 struct Vec3 {
   T x{}, y{}, z{};
@@ -24,7 +24,7 @@ struct Vec3 {
 using Direction = Vec3<Q2_30>;  ///< a unit vector
 using Position = Vec3<Q16_16>;  ///< a point in world units
 
-/// a·b for unit vectors: [−1, 1], each product rounded on its own.
+/// a·b for unit vectors, in [−1, 1]. Each of the three products is rounded.
 [[nodiscard]] constexpr Q2_30 dot(Direction a, Direction b) {
   return multiply<Q2_30>(a.x, b.x) + multiply<Q2_30>(a.y, b.y) + multiply<Q2_30>(a.z, b.z);
 }
@@ -35,13 +35,13 @@ using Position = Vec3<Q16_16>;  ///< a point in world units
           multiply<Q2_30>(a.x, b.y) - multiply<Q2_30>(a.y, b.x)};
 }
 
-/// The unit vector along (x, y, z), integers of any common scale up to 2^62; (0, 0, 0) gives (0, 0, 0).
-/// Error at most 2^-28 a component.
+/// The unit vector along (x, y, z), integers of any common scale up to 2^62; (0, 0, 0) gives (0, 0, 0). The error is at
+/// most 2^-28 in each component.
 [[nodiscard]] constexpr Direction normalise(std::int64_t x, std::int64_t y, std::int64_t z) {
   const auto absolute = [](std::int64_t v) { return static_cast<std::uint64_t>(v < 0 ? -v : v); };
   const std::uint64_t greatest = absolute(x) | absolute(y) | absolute(z);
   if (greatest == 0) return {};
-  // Scale the greatest component to 30 bits: squares and their sum fit 62, the root keeps 30 good bits.
+  // Scale the greatest component to 30 bits: the sum of squares then fits 62 bits, and the root has 30 exact bits.
   const int shift = 34 - std::countl_zero(greatest);
   const auto scale = [shift](std::int64_t v) { return shift >= 0 ? v >> shift : v * (std::int64_t{1} << -shift); };
   x = scale(x);

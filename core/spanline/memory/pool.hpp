@@ -5,11 +5,11 @@
 
 namespace spanline {
 
-/// The renderer's pools: parts of the caller's memory. Capacity's fields of the same names say what each holds, and a
-/// Status names the one that was too small.
+/// The renderer's pools, which are parts of the caller's memory. The fields of Capacity with the same names say what
+/// each pool holds. A Status names the pool that was too small.
 enum class Pool : std::uint8_t {
   none,       ///< no pool is meant
-  memory,     ///< all of it: the memory that the renderer was given
+  memory,     ///< the whole memory that the renderer was given
   instances,  ///< `Capacity::instances`
   vertices,   ///< `Capacity::vertices`
   shades,     ///< `Capacity::shades`
@@ -29,10 +29,10 @@ enum class Pool : std::uint8_t {
   return names[static_cast<unsigned>(pool)];
 }
 
-/// A pool that ran full while bands were drawn.
+/// A pool that became full while bands were drawn.
 struct PoolShortage {
-  Pool pool = Pool::none;    ///< none if all was held
-  std::uint32_t wanted = 0;  ///< entries that the frame would have taken
+  Pool pool = Pool::none;    ///< `none` if every pool was large enough
+  std::uint32_t wanted = 0;  ///< entries that the frame needs
 };
 
 }  // namespace spanline

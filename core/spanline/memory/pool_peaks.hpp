@@ -1,11 +1,11 @@
 #pragma once
 /// @file
-/// How much of its memory a frame took.
+/// How much memory a frame used.
 #include <cstddef>
 
 namespace spanline {
 
-/// Bytes in use at most, pool by pool.
+/// The most bytes in use at any time, for each pool.
 struct PoolPeaks {
   std::size_t instances = 0;     ///< bytes of `Capacity::instances`
   std::size_t vertices = 0;      ///< bytes of `Capacity::vertices`
@@ -19,8 +19,8 @@ struct PoolPeaks {
   std::size_t layers = 0;        ///< bytes of `Capacity::layers`
   std::size_t buckets = 0;       ///< bytes of the table in which polygons are sorted by their first row
   std::size_t colour_bands = 0;  ///< bytes of all bands of pixels
-  std::size_t depth_band = 0;    ///< bytes of all bands of depths, and what an algorithm keeps a band
-  /// Bytes of all of them.
+  std::size_t depth_band = 0;    ///< bytes of all bands of depths, and of other data that an algorithm keeps for a band
+  /// The sum over all pools, in bytes.
   [[nodiscard]] constexpr std::size_t total() const {
     return instances + vertices + shades + textures + polygons + fans + active + awake + fragments + layers + buckets +
            colour_bands + depth_band;

@@ -7,12 +7,12 @@
 
 namespace spanline {
 
-/// What a visibility algorithm gets before the first band of a frame: enough to sort polygons, or to walk a tree.
+/// What a visibility algorithm gets before the first band of a frame.
 struct FrameInput {
   const PolygonTable& table;  ///< all polygons of the frame
-  Viewport viewport;          ///< pixels of the picture
-  std::int32_t band_lines;    ///< lines of a band, but for the last one
-  const World* world;         ///< where the frame lies in space; null for algorithms that take screen polygons alone
+  Viewport viewport;          ///< size of the picture
+  std::int32_t band_lines;    ///< lines of every band except the last, which may have fewer
+  const World* world;  ///< camera and instances in world space; null for algorithms that need screen polygons alone
 };
 
 }  // namespace spanline

@@ -8,18 +8,18 @@
 
 namespace spanline {
 
-/// An instance as it stands in space.
+/// An instance with its place in world space.
 struct PlacedInstance {
   const Mesh* mesh = nullptr;
   Transform transform{};
-  std::uint32_t group = 0;  ///< number of its group in the frame's polygon table
+  std::uint32_t group = 0;  ///< number of the instance's group in the frame's polygon table
 };
 
-/// What of a frame lies in world space: for algorithms that walk a tree or cast rays, and for what orders instances
-/// before they are submitted.
+/// The part of a frame's input that lies in world space. Algorithms that walk a tree or cast rays need it, and so does
+/// code that sorts instances before they are submitted.
 struct World {
   Camera camera{};
-  std::span<const PlacedInstance> instances{};  ///< in order of submission; those outside the view are left out
+  std::span<const PlacedInstance> instances{};  ///< in order of submission, without the instances outside the view
 };
 
 }  // namespace spanline
