@@ -9,7 +9,7 @@ void ActiveEdgeTable::begin_frame(std::span<AwakeKey> keys, std::byte* records, 
   current_ = keys.data();
   next_ = keys.data() + capacity + 2;
   for (AwakeKey* array : {current_, next_}) {
-    array[0] = 0;  // stops the insertion of the leftmost key
+    array[0] = 0;  // a sentinel below all keys, where insertion stops
     array[1] = array[capacity + 1] = awake_key::end;
   }
   entering_ = next_ + capacity + 1;
@@ -44,7 +44,7 @@ void ActiveEdgeTable::stand_back(const PolygonSource& source, std::int32_t row) 
 
 template <ActiveEdgeTable::Evicted Chosen>
 AwakePolygon* ActiveEdgeTable::evict(std::uint32_t nearest, Link number) {
-  // A bound's low bits are the outcode of the nearest corner, which says nothing of how far that is.
+  // The low bits of a bound are the outcode of the nearest corner and are no part of its depth.
   const auto without_outcode = [](std::uint32_t bound) { return bound & ~std::uint32_t{0xff}; };
   nearest = without_outcode(nearest);
   AwakeKey* chosen = nullptr;

@@ -1,4 +1,7 @@
 #pragma once
+/// @file
+/// The active-edge table of a scan-line algorithm, after W. J. Bouknight, "A Procedure for Generation of
+/// Three-dimensional Half-toned Computer Graphics Presentations" (1970), and lecture 002, "Depth Coherence".
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -9,12 +12,13 @@
 
 namespace spanline {
 
-/// An awake polygon in the order of the row: its first column on top, the place of its record below.
+/// The sorting key of an awake polygon: its first column on the row in the upper half, the byte offset of its record in
+/// the lower half.
 using AwakeKey = std::conditional_t<(sizeof(void*) > 4), std::uint64_t, std::uint32_t>;
 namespace awake_key {
 inline constexpr int column_shift = sizeof(AwakeKey) * 4;
 inline constexpr std::size_t largest_offset = (std::size_t{1} << column_shift) - 1;
-/// Behind the last; its column lies right of every picture.
+/// The sentinel after the last key; its column lies to the right of every picture.
 inline constexpr AwakeKey end = AwakeKey{0x7fff} << column_shift | largest_offset;
 
 [[nodiscard]] inline AwakeKey make(std::int32_t column, std::size_t offset) {
@@ -24,23 +28,24 @@ inline constexpr AwakeKey end = AwakeKey{0x7fff} << column_shift | largest_offse
 [[nodiscard]] inline std::size_t offset(AwakeKey key) { return static_cast<std::size_t>(key & largest_offset); }
 }  // namespace awake_key
 
-/// The active-edge table AET: the awake polygons of a row, sorted by their first column. Order is kept from row to row
-/// and repaired where it changes (lecture 002, "Depth Coherence").
+/// The active-edge table AET: the awake polygons of a row, sorted by their first column. The order is kept from row to
+/// row and repaired where it changes.
 ///
-/// Keys stand in two arrays that change places every row. New polygons of a row wait, sorted, at the end of the array
-/// that is written next, until they are merged in.
+/// Keys are in two arrays that are exchanged every row. The new polygons of a row are kept sorted at the end of the
+/// array that is written next, until `step` merges them in.
 class ActiveEdgeTable {
  public:
-  /// `keys` has 2·(capacity + 2) entries; records lie `stride` bytes apart from `records` on.
+  /// `keys` has 2·(capacity + 2) entries. Records begin at `records` and are `stride` bytes apart.
   void begin_frame(std::span<AwakeKey> keys, std::byte* records, std::size_t capacity, std::size_t stride);
 
+  /// The keys of the current row, closed by the sentinel.
   [[nodiscard]] const AwakeKey* sorted() const { return current_ + 1; }
   [[nodiscard]] std::byte* records() const { return records_; }
   [[nodiscard]] AwakePolygon& at(AwakeKey key) const {
     return *reinterpret_cast<AwakePolygon*>(records_ + awake_key::offset(key));
   }
 
-  /// A free record, or null.
+  /// Returns a free record, or null if there is none.
   [[nodiscard]] AwakePolygon* take() {
     AwakePolygon* record = free_;
     if (record != nullptr) {
@@ -53,7 +58,7 @@ class ActiveEdgeTable {
     if (++awake_ > peak_) peak_ = awake_;
     return record;
   }
-  /// Enters a polygon that was just placed on the row to come.
+  /// Enters a polygon that was just placed on the next row.
   void enter(AwakePolygon& polygon, std::int32_t column) {
     const AwakeKey key =
         awake_key::make(column, static_cast<std::size_t>(reinterpret_cast<std::byte*>(&polygon) - records_));
@@ -65,23 +70,25 @@ class ActiveEdgeTable {
     place[-1] = key;
   }
 
-  /// For a full table: frees the records of polygons that ended above `row`.
+  /// Frees the records of polygons that ended above `row`, to make room in a full table.
   void reap(std::int32_t row);
   enum class Evicted : std::uint8_t { farthest, nearest };
-  /// For a full table: takes out the farthest polygon, on or entering the row, of equal ones the latest, if it comes
-  /// behind a polygon with these bounds and number; or the nearest, of equal ones the earliest, if it comes before that
-  /// one. Its record is free for use; null if there is none.
+  /// Makes room in a full table for a polygon with the bound `nearest` and this number. Compared are the nearer bounds
+  /// of all polygons on or entering the row; of equal ones the earlier number counts as nearer. `farthest` removes the
+  /// farthest polygon if it is behind the new one, `nearest` the nearest if it is in front of the new one. Output: the
+  /// record, free for use; null if no polygon qualifies.
   template <Evicted Chosen>
   [[nodiscard]] AwakePolygon* evict(std::uint32_t nearest, Link number);
 
-  /// Empties a table that stands on the row above `row`: polygons that go on wait in the bucket of `row`.
+  /// Empties a table that is on the row above `row`. Polygons that reach `row` go into its bucket.
   void stand_back(const PolygonSource& source, std::int32_t row);
   [[nodiscard]] bool has_records() const { return capacity_ != 0; }
 
-  /// Steps every polygon to `row`, drops those that end, and merges the new ones in. Output: how many keys had to move
-  /// to repair the order.
+  /// Steps every polygon to `row`, removes those that end, and merges the new ones in. Output: the number of exchanges
+  /// that repaired the order.
   std::uint32_t step(const PolygonSource& source, std::int32_t row);
 
+  /// The most records in use at any time of the frame.
   [[nodiscard]] std::uint32_t peak() const { return peak_; }
 
  private:
@@ -91,14 +98,14 @@ class ActiveEdgeTable {
     --awake_;
   }
 
-  AwakeKey* current_ = nullptr;  ///< 0, keys, end
-  AwakeKey* next_ = nullptr;
-  AwakeKey* entering_ = nullptr;  ///< the first new key
+  AwakeKey* current_ = nullptr;   ///< keys of the current row, between the sentinels 0 and `end`
+  AwakeKey* next_ = nullptr;      ///< the array for the keys of the next row
+  AwakeKey* entering_ = nullptr;  ///< the first of the new keys, which are sorted
   std::byte* records_ = nullptr;
-  std::size_t stride_ = 0, capacity_ = 0;
-  AwakePolygon* free_ = nullptr;
-  std::uint32_t untouched_ = 0;  ///< records that were never used
-  std::uint32_t awake_ = 0, peak_ = 0;
+  std::size_t stride_ = 0, capacity_ = 0;  ///< bytes from record to record; number of records
+  AwakePolygon* free_ = nullptr;           ///< list of records that are free again
+  std::uint32_t untouched_ = 0;            ///< records at the start of the pool that were never used
+  std::uint32_t awake_ = 0, peak_ = 0;     ///< records in use, now and at most
 };
 
 }  // namespace spanline

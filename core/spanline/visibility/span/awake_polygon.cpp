@@ -7,7 +7,7 @@
 namespace spanline {
 namespace {
 
-/// Rows of a triangle, biased.
+/// Rows of a triangle, biased: the first, the first after the knee, and the one after the last.
 struct Rows {
   std::int32_t first, knee, end;
 };
@@ -16,7 +16,7 @@ Rows rows_of(const Triangle& t, const ThirdEdge& third) {
   return {row_at(t.ay), row_at(t.ay + third.y), row_at(t.ay + third.y + third.dy)};
 }
 
-/// Brings fixed edges from the polygon's first row down to `row`.
+/// Steps fixed edges from the polygon's first row down to `row`.
 void move_down(FixedEdges& edges, bool third_on_right, const Rows& rows, std::int32_t row) {
   const std::uint32_t down = word(row - rows.first);
   edges.left += edges.left_step * down;
@@ -33,7 +33,7 @@ Edge edge_between(const ScreenVertex& from, const ScreenVertex& to, std::int32_t
   return edge;
 }
 
-/// The third edge of a large polygon, on biased `row`.
+/// Sets up the third edge of a large polygon on the biased `row`.
 void place_third_edge(AwakePolygon& polygon, const Triangle& t, std::int32_t row) {
   if (polygon.third_on_right)
     polygon.large.right = edge_between(*t.b, *t.c, row);
@@ -81,7 +81,7 @@ std::int32_t wake(AwakePolygon& polygon, const PolygonSource& source, Link numbe
   polygon.retry_row = 0;
   const std::uint32_t depth_p = p->depth_word, depth_q = q->depth_word, depth_r = r->depth_word;
   const std::uint32_t nearest = depth_p < depth_q ? depth_p : depth_q, farthest = depth_p < depth_q ? depth_q : depth_p;
-  // Outcodes in the low bits make no difference: the margins hold a whole depth unit.
+  // The outcodes in the low bits do no harm, since the margins are larger than a whole depth unit.
   const std::uint32_t low = depth_r < nearest ? depth_r : nearest, high = depth_r > farthest ? depth_r : farthest;
   polygon.nearest = low > margin.below ? low - margin.below : 0;
   polygon.farthest = high < ~margin.above ? high + margin.above : ~std::uint32_t{0};
@@ -102,7 +102,7 @@ std::int32_t wake(AwakePolygon& polygon, const PolygonSource& source, Link numbe
     if (biased_row != rows.first || rows.first == rows.knee)
       move_down(polygon.fixed, polygon.third_on_right, rows, biased_row);
   } else {
-    Triangle kept = t;  // a copy, so that the triangle itself stays in registers on the usual way
+    Triangle kept = t;  // a copy, so that `t` itself stays in registers for small triangles
     rows = place_wide(polygon, kept, scissored, biased_row);
   }
   const std::int32_t end = rows.end - row_bias;

@@ -9,39 +9,41 @@
 
 namespace spanline {
 
-/// A polygon that the current row may show: an entry of the active-edge table AET, both edges together, and of the
-/// in-polygon list IPL (lecture 002, "Spanning Scan Line Algorithm").
+/// A polygon that may be visible on the current row: an entry, with both edges, of the active-edge table AET, and of
+/// the in-polygon list IPL (lecture 002, "Spanning Scan Line Algorithm").
 ///
-/// Small and medium triangles step fixed-point columns, large ones exact edges with remainders; each gives the integers
-/// that the z-buffers use. The plane equation is made when a comparison first asks for it: bounds decide most.
+/// Small and medium triangles step fixed-point columns, large ones exact edges with remainders. Both give the same
+/// integer columns as in the z-buffers. The plane equation is computed when a comparison first needs it, since bounds
+/// decide most comparisons.
 ///
-/// Members are ordered for Thumb-1, whose loads reach 31 bytes, 31 half-words and 31 words.
+/// Members are ordered for Thumb-1, whose load instructions reach offsets of 31 bytes, half-words or words.
 struct AwakePolygon {
-  std::uint8_t fraction_bits;  ///< of `fixed` columns; 0: the edges are in `large`
-  bool third_on_right;         ///< the third edge is on the right
-  bool has_plane;
-  bool has_surface;
-  std::int16_t origin;        ///< screen column that fixed columns count from
-  std::uint16_t right;        ///< end of the columns on the current row, cut to the viewport
-  std::uint16_t turn_row;     ///< row where an edge gives way to the third, or the polygon ends
-  std::uint16_t end_row;      ///< the first row below it, or the viewport's height
-  std::uint16_t retry_row;    ///< no attempt to sleep before this row
-  std::uint16_t surface_row;  ///< row that the surface stands on
-  Link number;                ///< in the polygon table: settles ties, the earlier wins
-  Link group;
+  std::uint8_t fraction_bits;  ///< of the columns in `fixed`; 0 if the edges are in `large`
+  bool third_on_right;         ///< whether the third edge is the right one
+  bool has_plane;              ///< whether `plane` has been computed
+  bool has_surface;            ///< whether the surface that follows the record has been made
+  std::int16_t origin;         ///< screen column where the columns of `fixed` are 0
+  std::uint16_t right;         ///< column after the polygon's last on the current row, cut to the viewport
+  std::uint16_t turn_row;      ///< row where the third edge replaces another, or where the polygon ends
+  std::uint16_t end_row;       ///< the first row below the polygon, or the viewport's height
+  std::uint16_t retry_row;     ///< the polygon does not try to sleep before this row
+  std::uint16_t surface_row;   ///< row for which the surface was last stepped
+  Link number;                 ///< in the polygon table; of equally near polygons the lower number is in front
+  Link group;                  ///< number of the polygon's group in the table
   union {
     FixedEdges fixed;
     LargeEdges large;
   };
-  std::uint32_t nearest, farthest;  ///< bounds of the plane word over the polygon's pixels, its rounding included
-  AwakePolygon* next;               ///< in the in-polygon list, or in the list of free records
-  LinearFunction plane;             ///< depth, smaller is nearer, at column 0 of row 0
+  std::uint32_t nearest, farthest;  ///< bounds of the plane word over the polygon's pixels, rounding included
+  AwakePolygon* next;               ///< the next in the in-polygon list or in the list of free records
+  LinearFunction plane;             ///< plane word of depth, smaller is nearer, from column 0 of row 0
 
   [[nodiscard]] std::uint32_t depth_at(std::int32_t column, std::int32_t row) const {
     return plane.at_origin + plane.dx * word(column) + plane.dy * word(row);
   }
 
-  /// Columns of the row that lies `rows` below the current one, uncut; only above the next turn.
+  /// Columns [left, right) of the row that lies `rows` below the current one, not cut to the viewport. That row must
+  /// lie above `turn_row`.
   struct Columns {
     std::int32_t left, right;
   };
@@ -52,9 +54,9 @@ struct AwakePolygon {
   }
 };
 
-/// Where polygons are found: what waking and turning them takes.
+/// The input from which polygons are woken and turned.
 struct PolygonSource {
-  PolygonTable& table;  ///< buckets of one row, which waking and sleeping take apart
+  PolygonTable& table;  ///< has buckets of one row, which waking and sleeping change
   Viewport viewport;
 
   [[nodiscard]] PolygonCorners corners(const AwakePolygon& polygon) const {
@@ -66,7 +68,7 @@ struct PolygonSource {
   }
 };
 
-/// Makes the plane equation of a polygon, smaller is nearer whatever the format's sense.
+/// Computes the plane equation of a polygon. Smaller is nearer, whichever sense the depth format has.
 template <class Depth>
 [[gnu::noinline]] void make_plane(AwakePolygon& polygon, const PolygonSource& source) {
   using Smaller = DepthFormat<Depth::bits, typename Depth::Word, DepthSense::smaller_is_nearer>;
@@ -74,18 +76,19 @@ template <class Depth>
   polygon.has_plane = true;
 }
 
-/// How far a plane word may lie outside the depths of its corners: below the nearest and above the farthest, in plane
-/// words.
+/// How far plane words may lie outside the range of the corners' depths: below the nearest and above the farthest
+/// corner, in units of the plane word.
 struct BoundMargin {
   std::uint32_t below, above;
 };
 
-/// Places polygon `number` of the table on `row`, one of its rows in the viewport: edges, rows and bounds. Plane and
-/// surface are left for later. Output: the first column, cut to the viewport.
+/// Sets up edges, rows and bounds of polygon `number` of the table on `row`, which is one of the polygon's rows in the
+/// viewport. Plane and surface are made later, when they are needed. Output: the first column, cut to the viewport.
 [[nodiscard]] std::int32_t wake(AwakePolygon& polygon, const PolygonSource& source, Link number, std::int32_t row,
                                 BoundMargin margin);
 
-/// Steps to `row`, its `turn_row`: puts the third edge in place. False where the polygon ends there.
+/// Steps a polygon to `row`, which is its `turn_row`: the third edge replaces the one that ended. False if the polygon
+/// ends there.
 [[nodiscard]] bool turn(AwakePolygon& polygon, const PolygonSource& source, std::int32_t row);
 
 /// Cuts a large polygon's columns to the viewport. Output: the first column.
@@ -95,7 +98,7 @@ struct BoundMargin {
   return cut(polygon.large.left.x);
 }
 
-/// The same for fixed columns, which never leave the viewport.
+/// As `cut_columns`, for fixed columns, which never leave the viewport.
 [[nodiscard]] inline std::int32_t place_columns(AwakePolygon& polygon) {
   const int fraction_bits = polygon.fraction_bits;
   const std::int32_t origin = polygon.origin;

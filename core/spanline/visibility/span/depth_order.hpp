@@ -8,9 +8,9 @@
 
 namespace spanline {
 
-/// Which of two polygons is in front at a pixel: the nearer, and of equally near ones the one that was submitted first;
-/// a strict and total order. Bounds decide where they can; planes are made when they cannot. All questions are about
-/// the row that `move_to` named.
+/// Decides which of two polygons is in front at a pixel of the row given to `move_to`: the nearer one, and of equally
+/// near ones the one that was submitted first. This is a strict total order. Bounds decide first; only where they
+/// overlap are planes computed and compared.
 template <class Depth, bool Counting>
 class DepthOrder {
  public:
@@ -25,7 +25,7 @@ class DepthOrder {
     return nearer(a, b, column);
   }
 
-  /// By planes alone.
+  /// Whether `a` is in front of `b` at `column`, decided by the planes without the bounds.
   [[nodiscard]] bool nearer(AwakePolygon& a, AwakePolygon& b, std::int32_t column) {
     if (!a.has_plane) make_plane<Depth>(a, source_);
     if (!b.has_plane) make_plane<Depth>(b, source_);
@@ -34,8 +34,8 @@ class DepthOrder {
     return depth_a < depth_b || (depth_a == depth_b && a.number < b.number);
   }
 
-  /// The first column where `other` is in front, given that `front` is at `low` and `other` at `high`: halving, without
-  /// a divide. Both have planes.
+  /// The first column where `other` is in front, given that `front` is in front at `low` and `other` at `high`. Found
+  /// by bisection, which needs no division. Both polygons have planes.
   [[nodiscard, gnu::noinline]] std::int32_t crossing(const AwakePolygon& front, const AwakePolygon& other,
                                                      std::int32_t low, std::int32_t high) {
     if constexpr (Counting) ++counters_->own[SpanningCounter::crossings];

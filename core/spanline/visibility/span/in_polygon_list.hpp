@@ -5,21 +5,22 @@
 
 namespace spanline {
 
-/// The polygon in front from some column on: it shows until `change`, where it ends or another comes before it.
+/// The polygon that is in front from some column on. It is visible up to `change`, where it ends or another polygon
+/// passes in front.
 struct FrontPolygon {
   AwakePolygon* polygon;
-  std::int32_t end;     ///< its own last column + 1
-  std::int32_t change;  ///< ≤ end
+  std::int32_t end;     ///< column after the polygon's last
+  std::int32_t change;  ///< column where the visible polygon changes, ≤ end
 
-  static constexpr std::int32_t never = std::int32_t{1} << 30;  ///< `change` of the background
+  static constexpr std::int32_t never = std::int32_t{1} << 30;  ///< `change` for the background, right of every picture
 };
 
-/// The in-polygon list IPL of a row: polygons that have begun, have not been seen to end, and are not the one in front.
-/// Unsorted: a visibility decision walks it once and unlinks what has ended on the way.
+/// The in-polygon list IPL of a row (lecture 002): polygons that have begun, are not in front, and may still become
+/// visible. The list is not sorted. A visibility decision walks it once and removes polygons that have ended.
 template <class Order>
 class InPolygonList {
  public:
-  /// `order` stands on the row that is swept.
+  /// `order` compares polygons on the row that is swept.
   explicit InPolygonList(Order& order) : order_(order) {}
 
   void clear() {
@@ -27,7 +28,7 @@ class InPolygonList {
     nearest_ = ~std::uint32_t{0};
   }
   [[nodiscard]] bool empty() const { return first_ == nullptr; }
-  /// Whether a member may come before a polygon with this farther bound.
+  /// Whether a member may be in front of a polygon with this farther bound somewhere.
   [[nodiscard]] bool reaches(std::uint32_t farthest) const { return nearest_ <= farthest; }
   void push(AwakePolygon& polygon) {
     polygon.next = first_;
@@ -35,8 +36,8 @@ class InPolygonList {
     if (polygon.nearest < nearest_) nearest_ = polygon.nearest;
   }
 
-  /// `front` ended at `column`, or another polygon comes before it there: the polygon that is in front from there on,
-  /// taken out of the list; the background if there is none.
+  /// Called where `front` ends or another polygon passes in front of it, at `column`. Returns the polygon that is in
+  /// front from there on and removes it from the list; returns the background if there is none.
   [[nodiscard, gnu::noinline]] FrontPolygon next_front(AwakePolygon& front, std::int32_t end, std::int32_t column) {
     if (column < end) push(front);
     AwakePolygon* const next = take_front(column);
@@ -45,8 +46,8 @@ class InPolygonList {
     return {next, next_end, reaches(next->farthest) ? first_crossing(*next, column, next_end) : next_end};
   }
 
-  /// The first column right of `column` and left of `end` where a member comes before `front`, which is in front at
-  /// `column`; `end` if there is none.
+  /// The first column in (column, end) where a member passes in front of `front`, which is in front at `column`; `end`
+  /// if there is none.
   [[nodiscard, gnu::noinline]] std::int32_t first_crossing(AwakePolygon& front, std::int32_t column,
                                                            std::int32_t end) const {
     for (AwakePolygon* polygon = first_; polygon != nullptr; polygon = polygon->next) {
@@ -58,7 +59,8 @@ class InPolygonList {
   }
 
  private:
-  /// Takes out the polygon that is in front at `column`, and all that end there or left of it; null if none is left.
+  /// Removes the polygons that end at or left of `column`, and the one that is in front there, which is returned; null
+  /// if none is left.
   AwakePolygon* take_front(std::int32_t column) {
     AwakePolygon *kept = nullptr, *front = nullptr;
     std::uint32_t nearest = ~std::uint32_t{0};
@@ -85,8 +87,8 @@ class InPolygonList {
     return front;
   }
 
-  AwakePolygon* first_ = nullptr;
-  std::uint32_t nearest_ = ~std::uint32_t{0};  ///< no member's nearer bound is less
+  AwakePolygon* first_ = nullptr;              ///< head of the list, linked by `next`
+  std::uint32_t nearest_ = ~std::uint32_t{0};  ///< a lower bound of the members' `nearest`
   Order& order_;
 };
 

@@ -6,18 +6,18 @@
 
 namespace spanline {
 
-/// The see-through polygons of a row, laid over the spans that the opaque ones have left visible.
+/// Draws the see-through polygons (layers) of a row over the visible spans of the opaque polygons.
 ///
-/// They have an active-edge table of their own and never hide anything, so that the sweep of the opaque polygons is the
-/// one that there is without them. A visible span is cut where a layer begins or ends and where two layers, or a layer
-/// and the opaque polygon, change places; inside a piece the order by (depth, number) is the same at every pixel, and
-/// the layers in front of the opaque polygon are laid over it from the farthest to the nearest. Nobody sorts pixels.
+/// Layers have their own active-edge table and hide nothing, so the sweep of the opaque polygons runs as without them.
+/// A visible span is cut into pieces where a layer begins or ends, and where two layers, or a layer and the opaque
+/// polygon, cross in depth. Inside a piece the order by (depth, number) is the same at every pixel. The layers in front
+/// of the opaque polygon are drawn over it from the farthest to the nearest, so no sorting per pixel is needed.
 ///
-/// Why neighbours suffice to find the next change: depths are integer-linear along the row and the order strict, so two
-/// polygons change places once at most; neighbours of the order that are in order at both ends of a piece are so
-/// between them, and with all neighbours everything is in order.
+/// It suffices to compare neighbours in the order to find the next change. Depths are integer-linear along the row and
+/// the order is strict, so two polygons exchange places at most once. Neighbours that are in order at both ends of a
+/// piece are therefore in order throughout, and then so are all layers.
 ///
-/// `Owner` takes pieces (`layer`), and is told of polygons that have columns on the row (`begins`).
+/// `Owner` draws the pieces (`layer`) and is notified of each polygon that has columns on the row (`begins`).
 template <class Owner>
 class LayerSweep {
  public:
@@ -30,11 +30,11 @@ class LayerSweep {
     order_.move_to(row);
   }
 
-  /// Whether a layer may lie over columns left of `end`; asked from left to right.
+  /// Whether a layer may cover columns left of `end`. Calls go from left to right.
   [[nodiscard]] bool reaches(std::int32_t end) const { return open_ != nullptr || awake_key::column(*keys_) < end; }
 
-  /// Lays what is in front of `front`, the visible opaque polygon or null for the background, over [begin, end). Calls
-  /// go from left to right.
+  /// Draws the layers in front of `front` over [begin, end). `front` is the visible opaque polygon, or null for the
+  /// background. Calls go from left to right.
   void over(AwakePolygon* front, std::int32_t begin, std::int32_t end) {
     while (begin < end) {
       std::int32_t stop = open_and_close(begin, end);
@@ -49,8 +49,8 @@ class LayerSweep {
   }
 
  private:
-  /// Takes in the layers that begin at `column` or left of it, and drops those that have ended. Output: where the next
-  /// one begins or ends, `end` at most.
+  /// Opens the layers that begin at or left of `column`, and removes those that have ended. Output: the column where
+  /// the next layer begins or ends, at most `end`.
   std::int32_t open_and_close(std::int32_t column, std::int32_t end) {
     for (; awake_key::column(*keys_) <= column; ++keys_) {
       AwakePolygon& polygon = *reinterpret_cast<AwakePolygon*>(records_ + awake_key::offset(*keys_));
@@ -72,9 +72,9 @@ class LayerSweep {
     return stop;
   }
 
-  /// Sorts the open layers, the farthest first. They are nearly so from the piece before, or nearly the other way round
-  /// where many begin at once: each is inserted near the one before it or at the head of a list with the nearest first,
-  /// which is then turned round.
+  /// Sorts the open layers at `column`, the farthest first, by insertion. They are nearly sorted after the previous
+  /// piece, and nearly in reverse order where many begin at once. So the search for a layer's place starts at the layer
+  /// inserted last, or else at the head of a list with the nearest first, which is reversed at the end.
   void sort(std::int32_t column) {
     AwakePolygon *nearest = nullptr, *last = nullptr;
     while (open_ != nullptr) {
@@ -96,7 +96,7 @@ class LayerSweep {
     }
   }
 
-  /// The farthest layer in front of `front` at `column`.
+  /// The farthest layer in front of `front` at `column`; null if there is none.
   [[nodiscard]] AwakePolygon* first_before(AwakePolygon* front, std::int32_t column) {
     AwakePolygon* layer = open_;
     if (front != nullptr)
@@ -104,8 +104,8 @@ class LayerSweep {
     return layer;
   }
 
-  /// The first column right of `begin` and left of `end` where layers, sorted at `begin`, and `front` are in another
-  /// order; `end` if there is none.
+  /// The first column in (begin, end) where the order of the layers and `front` differs from that at `begin`; `end` if
+  /// there is none. Layers are sorted at `begin`.
   [[nodiscard]] std::int32_t until_change(AwakePolygon* front, std::int32_t begin, std::int32_t end) {
     AwakePolygon* const before_front = first_before(front, begin);
     AwakePolygon* farther = nullptr;
@@ -119,6 +119,7 @@ class LayerSweep {
       farther = layer;
     }
   }
+  /// As until_change, for two neighbours.
   [[nodiscard]] std::int32_t until_exchange(AwakePolygon& farther, AwakePolygon& nearer, std::int32_t begin,
                                             std::int32_t end) {
     const std::int32_t last = end - 1;
@@ -128,9 +129,9 @@ class LayerSweep {
 
   Owner& owner_;
   DepthOrder<typename Owner::DepthFormat, Owner::counting> order_;
-  const AwakeKey* keys_ = nullptr;  ///< the first that has not begun
+  const AwakeKey* keys_ = nullptr;  ///< key of the first layer that is not open yet
   std::byte* records_ = nullptr;
-  AwakePolygon* open_ = nullptr;  ///< begun and not seen to end; the farthest first where a piece was last sorted
+  AwakePolygon* open_ = nullptr;  ///< layers that have begun and may not have ended; sorted by `sort`
 };
 
 }  // namespace spanline

@@ -8,8 +8,9 @@
 
 namespace spanline {
 
-/// The number of opaque, or of see-through, polygons on the row that has most: what a pool of awake polygons needs if
-/// none of them sleeps. Linear in polygons × rows, and asked only after a pool has run full.
+/// The greatest number of opaque, or of see-through, polygons on any row: the entries that a pool of awake polygons
+/// needs if none of them sleeps. This takes time proportional to polygons × rows and is called only after a pool was
+/// full.
 [[nodiscard]] inline std::uint32_t polygons_on_rows(const PolygonTable& table, Viewport viewport,
                                                     bool see_through = false) {
   std::uint32_t most = 0;

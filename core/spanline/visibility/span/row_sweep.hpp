@@ -8,15 +8,17 @@
 
 namespace spanline {
 
-/// Finds the visible spans of a row: one visibility decision a span, one depth comparison at most where bounds cannot
-/// decide it, and the exact pixel where two polygons cross (lecture 002's false edges).
+/// Finds the visible spans of a row (lecture 002, "Spanning Scan Line Algorithm"), with one visibility decision for
+/// each span. Depths are compared only where bounds cannot decide. Where two polygons cross, the exact pixel is found
+/// (a false edge of lecture 002).
 ///
-/// Invariant: on [begin, change) `front` is the nearest polygon; the in-polygon list holds every other polygon that has
-/// begun and may still show. Depth is integer-linear along the row and the order by (depth, number) is strict, so two
-/// polygons change places once at most.
+/// Invariant: `front` is the nearest polygon on [begin, change), and the in-polygon list holds every other polygon that
+/// has begun and may still become visible. Depth is integer-linear along the row and the order by (depth, number) is
+/// strict, so two polygons exchange places at most once.
 ///
-/// `Owner` is the `PolygonSource`, takes spans (`span`, and `background` where there is no polygon), may send a
-/// polygon that another hides to sleep (`hidden`), and is told of every polygon that has columns on the row (`begins`).
+/// `Owner` is the `PolygonSource`. It draws spans (`span`, and `background` where there is no polygon), may put a
+/// polygon to sleep that another one hides (`hidden`), and is notified of each polygon that has columns on the row
+/// (`begins`).
 template <class Owner>
 class RowSweep {
  public:
@@ -65,7 +67,7 @@ class RowSweep {
           owner_.hidden(polygon, *front);
         continue;
       }
-      bool front_at_end = true;  // of the columns that both have
+      bool front_at_end = true;  // whether the new polygon is in front at the last column that both have
       const bool surely = polygon.farthest < front->nearest;
       if (!surely) {
         const std::int32_t last = (right < end ? right : end) - 1;
@@ -91,7 +93,8 @@ class RowSweep {
   }
 
  private:
-  /// A span that ends because another polygon comes before it; apart from the loop, which has one such place inlined.
+  /// Draws a span that ends because another polygon passes in front. Not inlined, since the loop already contains one
+  /// inlined call of `span`.
   [[gnu::noinline]] void span_before(AwakePolygon& front, std::int32_t begin, std::int32_t end) {
     owner_.span(front, begin, end);
   }

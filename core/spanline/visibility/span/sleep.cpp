@@ -23,7 +23,7 @@ bool same_right(const AwakePolygon& a, const AwakePolygon& b) {
 std::int32_t hidden_until(const AwakePolygon& hidden, const AwakePolygon& front, std::int32_t row, std::int32_t width) {
   const AwakePolygon::Columns hidden_now = hidden.columns_below(0), front_now = front.columns_below(0);
   const bool left_alike = same_left(hidden, front), right_alike = same_right(hidden, front);
-  // Beyond the picture's edge there is nothing to be seen beside the front polygon.
+  // Where the front polygon reaches the edge of the picture, nothing beside it can be seen.
   const bool left_open = front_now.left <= 0, right_open = front_now.right >= width;
   const bool left_inside = hidden_now.left > front_now.left, right_inside = hidden_now.right < front_now.right;
   if (!(left_alike || left_open || left_inside) || !(right_alike || right_open || right_inside)) return 0;

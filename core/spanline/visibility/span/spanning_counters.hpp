@@ -3,14 +3,14 @@
 
 namespace spanline {
 
-/// The counters of the spanning scan line's own, by their place in VisibilityCounters::own.
+/// The spanning scan line's own counters: their indices in VisibilityCounters::own.
 struct SpanningCounter {
   enum Place : unsigned {
-    shaded,         ///< all pixels written, the background's too
-    decisions,      ///< visibility decisions, one a span that begins or comes back to the front
-    crossings,      ///< false edges, where polygons cross inside a span
-    order_repairs,  ///< polygons that changed places from one row to the next
-    sleeps          ///< polygons that slept behind another
+    shaded,         ///< all pixels written, including the background
+    decisions,      ///< visibility decisions: polygons that begin on a row
+    crossings,      ///< false edges: columns where polygons cross inside a span
+    order_repairs,  ///< exchanges in the order of polygons from one row to the next
+    sleeps          ///< times that a polygon was put to sleep
   };
 };
 

@@ -1,4 +1,7 @@
 #pragma once
+/// @file
+/// The spanning scan-line algorithm, after G. S. Watkins, "A Real Time Visible Surface Algorithm" (1970), and lecture
+/// 002, "Spanning Scan Line Algorithm".
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -23,32 +26,33 @@
 
 namespace spanline {
 
-/// The spanning scan-line algorithm (lecture 002, "Spanning Scan Line Algorithm"): no depth buffer; each row is cut
-/// into spans, each span is decided once, and every pixel is shaded once, the background's as well. At 24 bits it draws
-/// the bytes of the z-buffer, since both compare the same plane words.
+/// The spanning scan-line algorithm. It has no depth buffer: each row is cut into spans, visibility is decided once for
+/// each span, and every pixel, also of the background, is written once. With 24-bit depths it draws the same bytes as
+/// the z-buffer, since both compare the same plane words.
 ///
-/// Polygons wake in the bucket of their first row, and sleep while a nearer one is certain to hide them. Where more are
-/// awake than there are records, the farthest are left out of the row, of equally far ones the latest, and come back as
-/// soon as there is room.
+/// A polygon wakes in the bucket of its first row and sleeps while a nearer one is certain to hide it. If more polygons
+/// are awake than there are records, the farthest are left out of the row (of equally far ones, the latest) and return
+/// as soon as there is room.
 ///
-/// Where the list of shaders has see-through ones, their polygons wake in a table of their own and are laid over the
-/// visible spans (LayerSweep); other lists are none the worse for it. Their records are a pool of their own, `layers`,
-/// which may be smaller than the number of layers on a row: the nearest wait then, and the row is swept again
-/// for them, as many at a time as there are records. That is right where those that wait lie before those that do not;
-/// the order is that of the nearest corner, of equally near ones the later first.
+/// Polygons of see-through shaders have their own active-edge table and are drawn over the visible spans (LayerSweep).
+/// Lists without see-through shaders pay nothing. The records of see-through polygons come from the pool `layers`,
+/// which may be smaller than the number of layers on a row. Then the layers with the nearest corners wait (of equally
+/// near ones, the earliest), and the row is swept again for them, as many at a time as there are records. The picture
+/// is exact if those that wait lie in front of the others.
 template <class Depth, class Pixel, class Shaders, bool Counting>
 class SpanningScanLine {
  public:
   using Surface = typename Shaders::Surface;
   using Target = BandTarget<Depth, Pixel>;
 
-  /// Depths are kept for Counting alone, for others to look at: nothing here reads them.
+  /// Depths are written only when counting, for inspection. The algorithm does not read them.
   static constexpr AlgorithmNeeds needs = AlgorithmNeeds::screen_polygons;
   static constexpr bool keeps_depth = Counting, tests_depth = false, takes_table_apart = true, clears_ahead = true;
 
   using Counter = SpanningCounter;
   static constexpr auto& counter_names = spanning_counter_names;
 
+  /// The record of an awake polygon, with its surface.
   struct Entry : AwakePolygon {
     Surface surface;
   };
@@ -74,13 +78,13 @@ class SpanningScanLine {
         layers.keys = arena.take<AwakeKey>(2 * (std::size_t{capacity.layers} + 2));
       }
     }
-    /// Bytes of `count` awake polygons.
+    /// Bytes of the records and keys of `count` awake polygons.
     [[nodiscard]] static constexpr std::size_t bytes(std::size_t count) {
       return count * sizeof(Entry) + 2 * (count + 2) * sizeof(AwakeKey);
     }
   };
 
-  /// Whether keys can address that many awake polygons.
+  /// Whether keys can address the records of that many awake polygons.
   [[nodiscard]] static constexpr bool takes(const Capacity& capacity) {
     const std::size_t most = capacity.awake > capacity.layers ? capacity.awake : capacity.layers;
     return most * sizeof(Entry) <= awake_key::largest_offset;
@@ -103,12 +107,12 @@ class SpanningScanLine {
     }
   }
 
-  /// Nothing: the background is drawn where it shows.
+  /// Does nothing, since drawing writes the background where it is visible.
   template <class Fill>
   void clear(const Target&, Fill) {}
 
-  /// Draws one band; bands come from top to bottom. `shading` is parallel to the table's groups; `covered(id)` is told
-  /// of each polygon that covers a pixel centre (for Counting only). Takes the table's buckets apart.
+  /// Draws one band; bands come from top to bottom. `shading` is parallel to the table's groups. `covered(id)` is
+  /// called for each polygon that covers a pixel centre, only when counting. Changes the table's buckets.
   template <class ShadingGroup, class Covered>
   [[gnu::noinline]] void draw_band(PolygonTable& table, std::span<const ShadingGroup> shading, std::int32_t,
                                    Viewport viewport, const Target& target, Covered&& covered) {
@@ -119,7 +123,8 @@ class SpanningScanLine {
       rows.draw();
   }
 
-  /// Steps over a band that somebody else draws; of its target, rows and width count. Nothing falls asleep in it.
+  /// Steps over a band that another core draws. Only the rows and the width of `target` are used. No polygon is put to
+  /// sleep in it.
   template <class ShadingGroup>
   void skip_band(PolygonTable& table, std::span<const ShadingGroup>, std::int32_t, Viewport viewport,
                  const Target& target) {
@@ -137,7 +142,8 @@ class SpanningScanLine {
     }
   }
 
-  /// Polygons that found no record: those of a row are all that a pool has to hold at most.
+  /// Tells whether a polygon found no record, and how many records suffice: as many as there are polygons on the
+  /// fullest row.
   [[nodiscard]] PoolShortage shortage(const FrameInput& input) const {
     if (overflowed_) return {Pool::awake, polygons_on_rows(input.table, input.viewport)};
     if (layers_.overflowed) return {Pool::layers, polygons_on_rows(input.table, input.viewport, true)};
@@ -155,8 +161,8 @@ class SpanningScanLine {
       if (woken.waiting != no_link) layers_.overflowed = true;
     }
   }
-  /// Bounds keep clear of the plane's rounding: at most half a guard unit a pixel of the way from the anchor, which the
-  /// largest picture makes 1,024, and 2 units of 24-bit depth or 1 of 16-bit depth for fast set-ups.
+  /// The bounds allow for rounding of the plane: at most half a guard unit for each pixel between it and the anchor,
+  /// which is 1,024 in the largest picture, and 2 units of 24-bit depth or 1 of 16-bit depth for the fast set-ups.
   static constexpr std::uint32_t depth_unit = 1u << Depth::guard_bits;
   static constexpr BoundMargin margin{depth_unit + 2048, 2 * depth_unit + 2048};
   static_assert(margin.below % 256 == 0, "ActiveEdgeTable::evict takes the low bits of a bound for an outcode");
@@ -181,9 +187,9 @@ class SpanningScanLine {
     Pixel* line = nullptr;
     std::int32_t row = 0;
     [[no_unique_address]] std::conditional_t<has_layers, LayerSweep<Rows>*, NoLayerTable> layer_sweep{};
-    bool drawn = false;  ///< the row's opaque pixels, which is swept again for further layers
+    bool drawn = false;  ///< the row's opaque pixels are drawn, and it is swept again for more layers
 
-    /// Whether spans were drawn before; never without layers.
+    /// Whether the row's opaque spans have been drawn already; constant false without layers.
     [[nodiscard]] bool again() const { return has_layers && drawn; }
 
     void draw() {
@@ -199,7 +205,7 @@ class SpanningScanLine {
       }
     }
 
-    /// The same for lists with see-through shaders.
+    /// As `draw`, for lists with see-through shaders.
     void draw_with_layers() {
       ActiveEdgeTable &edges = algorithm.table_, &layers = algorithm.layers_.table;
       RowSweep<Rows> sweep(*this, target.width);
@@ -218,8 +224,8 @@ class SpanningScanLine {
       }
     }
 
-    /// The row again for layers that found no record: they lie over those that did, as many at a time as there are
-    /// records.
+    /// Sweeps the row again for layers that found no record, as many at a time as there are records. They lie in front
+    /// of those that are drawn already.
     [[gnu::noinline]] void lay_waiting(Link waiting, RowSweep<Rows>& sweep, LayerSweep<Rows>& over_spans) {
       ActiveEdgeTable& layers = algorithm.layers_.table;
       if (!layers.has_records()) return defer_waiting(*this, waiting, row);
@@ -234,7 +240,7 @@ class SpanningScanLine {
       drawn = false;
     }
 
-    // What RowSweep asks of its owner.
+    // The functions that RowSweep calls.
 
     void background(std::int32_t begin, std::int32_t end) {
       if (!again()) {
@@ -284,7 +290,7 @@ class SpanningScanLine {
       }
     }
 
-    // What LayerSweep asks of its owner.
+    // The functions that LayerSweep calls.
 
     [[gnu::noinline]] void layer(AwakePolygon& polygon, std::int32_t begin, std::int32_t end) {
       fill(polygon, begin, end);
@@ -310,7 +316,7 @@ class SpanningScanLine {
       target.counters->own[Counter::shaded] += word(end - begin);
       std::fill(depth_line() + begin, depth_line() + end, Depth::clear);
     }
-    /// Depths are those of opaque pixels, as a z-buffer keeps them.
+    /// Depths are written for opaque pixels only, as in a z-buffer.
     void count_layer(AwakePolygon& polygon, std::int32_t begin, std::int32_t end) {
       ++target.counters->spans;
       Entry& entry = static_cast<Entry&>(polygon);
@@ -352,7 +358,7 @@ class SpanningScanLine {
   bool overflowed_ = false;
 };
 
-/// Visibility of a renderer: the spanning scan-line algorithm. No depth buffer; exact at 24 bits.
+/// The visibility algorithm of a renderer: the spanning scan line, without a depth buffer and exact with 24-bit depths.
 struct Spanning {
   template <class Depth, class Pixel, class Shaders, bool Counting>
   using Algorithm = SpanningScanLine<Depth, Pixel, Shaders, Counting>;

@@ -5,18 +5,19 @@
 namespace spanline {
 namespace {
 
-/// A polygon for which a full table had no room.
+/// A polygon that found no room in a full table.
 struct LeftOut {
   Link number = no_link;
   std::int32_t end_row = 0;
 
-  /// Tries again on the next row, if it is there.
+  /// Puts the polygon into the bucket of the next row, if it reaches that row.
   void defer(const PolygonSource& source, std::int32_t row) const {
     if (row + 1 < end_row) source.table.defer(row + 1, number);
   }
 };
 
-/// Wakes a polygon in a full table; those that ended make room first, then the farthest, or the nearest, gives way.
+/// Wakes a polygon in a full table. The records of polygons that have ended are freed first; if there are none, the
+/// farthest, or the nearest, polygon is left out.
 template <ActiveEdgeTable::Evicted Chosen>
 LeftOut wake_in_full_table(ActiveEdgeTable& edges, const PolygonSource& source, Link number, std::int32_t row,
                            BoundMargin margin) {
@@ -37,7 +38,7 @@ LeftOut wake_in_full_table(ActiveEdgeTable& edges, const PolygonSource& source, 
   return left_out;
 }
 
-/// Wakes an opaque polygon in a full table. False if one had to stand back for a row: the farthest.
+/// Wakes an opaque polygon in a full table. False if the farthest polygon had to be left out for a row.
 [[gnu::noinline]] bool wake_before_the_farthest(ActiveEdgeTable& edges, const PolygonSource& source, Link number,
                                                 std::int32_t row, BoundMargin margin) {
   const LeftOut left_out = wake_in_full_table<ActiveEdgeTable::Evicted::farthest>(edges, source, number, row, margin);
@@ -46,7 +47,7 @@ LeftOut wake_in_full_table(ActiveEdgeTable& edges, const PolygonSource& source, 
   return false;
 }
 
-/// Wakes a layer in a full table, where the nearest joins those that wait.
+/// Wakes a layer in a full table. If there is no room, the nearest layer joins the chain `waiting`.
 [[gnu::noinline]] void wake_behind_the_nearest(ActiveEdgeTable& layers, const PolygonSource& source, Link number,
                                                std::int32_t row, BoundMargin margin, Link& waiting) {
   const LeftOut left_out = wake_in_full_table<ActiveEdgeTable::Evicted::nearest>(layers, source, number, row, margin);
@@ -72,7 +73,7 @@ bool wake_bucket(ActiveEdgeTable& edges, const PolygonSource& source, std::int32
   bool room = true;
   Link number = table.references[last].next;
   for (;;) {
-    const Link following = table.references[number].next;  // waking may defer the polygon
+    const Link following = table.references[number].next;  // read before waking, which may defer the polygon
     if (AwakePolygon* record = edges.take(); __builtin_expect(record != nullptr, true))
       edges.enter(*record, wake(*record, source, number, row, margin));
     else if (!wake_before_the_farthest(edges, source, number, row, margin))
@@ -82,7 +83,7 @@ bool wake_bucket(ActiveEdgeTable& edges, const PolygonSource& source, std::int32
   }
 }
 
-// A loop of its own: the choice of a table would cost opaque renderers some instructions a row.
+// A separate loop, since choosing a table would cost renderers without layers some instructions for each row.
 WokenWithLayers wake_bucket(ActiveEdgeTable& edges, ActiveEdgeTable& layers, const PolygonSource& source,
                             std::int32_t row, BoundMargin margin) {
   WokenWithLayers woken{true, no_link};

@@ -6,26 +6,26 @@
 
 namespace spanline {
 
-/// Wakes the polygons in the bucket of `row`: those that begin there, and those that slept or stood back. They enter
-/// the active-edge table, which has not been stepped to the row yet. False where there were more than records: the
-/// farthest are then left out, of equally far ones the latest, and try again on the next row.
+/// Wakes the polygons in the bucket of `row`: those that begin there, and those that slept or were left out. They enter
+/// the active-edge table, which has not been stepped to the row yet. False if there were not enough records. The
+/// farthest polygons (of equally far ones, the latest) are then left out and wake on the next row.
 [[nodiscard]] bool wake_bucket(ActiveEdgeTable& edges, const PolygonSource& source, std::int32_t row,
                                BoundMargin margin);
 
-/// Whether there was room for all that woke, and the first of the layers for which there was not, or no_link: a chain
-/// by the polygon table's references.
+/// Whether all opaque polygons found room, and the first layer that did not, or no_link. Further waiting layers are
+/// linked by the polygon table's references.
 struct WokenWithLayers {
   bool all_opaque;
   Link waiting;
 };
 
-/// The same, where polygons of see-through groups enter a table of their own. Of those the nearest have to wait, of
-/// equally near ones the earliest: they are to be laid over the others.
+/// As above, but polygons of see-through groups enter the table `layers`. If that is full, the nearest (of equally near
+/// ones, the earliest) have to wait, since they must be drawn after the others.
 [[nodiscard]] WokenWithLayers wake_bucket(ActiveEdgeTable& edges, ActiveEdgeTable& layers, const PolygonSource& source,
                                           std::int32_t row, BoundMargin margin);
 
-/// Wakes a chain of waiting layers on the row itself, where `layers` has stood back. Output: those that have to wait
-/// again.
+/// Wakes a chain of waiting layers on the same row, after `layers` was emptied by `stand_back`. Output: the chain of
+/// those that still have to wait.
 [[nodiscard]] Link wake_waiting(ActiveEdgeTable& layers, const PolygonSource& source, Link waiting, std::int32_t row,
                                 BoundMargin margin);
 
