@@ -21,7 +21,7 @@ COMMENT_MARK = re.compile(r"^ *///? ?", re.MULTILINE)
 CODE = re.compile(r"^(?!\s*//|\s*#|\s*namespace\b|\s*$)", re.MULTILINE)
 # A function or a template at the margin.
 FILE_SCOPE = re.compile(r"^(template\b|[\w:]+[^;={}]*\)( const)?( noexcept)? \{$)", re.MULTILINE)
-CONTEXT = re.compile(r"\b(renderer|cube|picture_size|send|screen_panel|bus|clock)\b")
+CONTEXT = re.compile(r"\b(renderer|send)\b")
 
 COMPILER = ["g++", "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Wno-unused", "-Werror", "-Icore", "-Ihal"]
 COMPILER += ["-Itests/structure", "-xc++", "-"]

@@ -3,17 +3,19 @@
 /// Frames that two cores share.
 ///
 /// ```cpp
-/// template <class Traits, class Sink>
-/// Status first_core(Renderer<Traits>& renderer, BandPartner<Traits>& partner, const FrameSettings& settings,
-///                   const Mesh& mesh, Sink&& sink) {
-///   if (const Status begun = renderer.begin(settings); !begun.ok()) return begun;
-///   if (const Status added = renderer.add(mesh, {}, {}); !added.ok()) return added;
+/// #include <spanline/frame/ready_made_traits.hpp>
+///
+/// using Traits = FlatTraits<>;
+///
+/// Status first_core(Renderer<Traits>& picture, BandPartner<Traits>& partner, const FrameSettings& settings,
+///                   const Mesh& mesh) {
+///   if (const Status begun = picture.begin(settings); !begun.ok()) return begun;
+///   if (const Status added = picture.add(mesh, {}, {}); !added.ok()) return added;
 ///   partner.take_frame();  // and now the other core is told to draw
-///   return renderer.draw_even(sink);
+///   return picture.draw_even([](const auto& band) { return send(band.y0, band.y1, band.pixels); });
 /// }
-/// template <class Traits, class Sink>
-/// Status second_core(BandPartner<Traits>& partner, Sink&& sink) {
-///   return partner.draw_odd(sink);
+/// Status second_core(BandPartner<Traits>& partner) {
+///   return partner.draw_odd([](const auto& band) { return send(band.y0, band.y1, band.pixels); });
 /// }
 /// ```
 #include <algorithm>

@@ -9,12 +9,11 @@
 /// constexpr Capacity size{.width = 320, .height = 240, .vertices = 8, .polygons = 6, .fans = 6, .active = 6};
 /// alignas(8) static std::byte memory[Picture::bytes_needed(size)];
 ///
-/// template <class Send>
-/// Status draw(const FrameSettings& settings, const Mesh& mesh, Send&& send) {
+/// Status draw(const FrameSettings& settings, const Mesh& mesh) {
 ///   Picture renderer(size, memory);
 ///   if (const Status begun = renderer.begin(settings); !begun.ok()) return begun;
 ///   if (const Status added = renderer.add(mesh, {}, {.colour = {240, 160, 60}}); !added.ok()) return added;
-///   return renderer.draw([&](const auto& band) { return send(band.y0, band.y1, band.pixels); });
+///   return renderer.draw([](const auto& band) { return send(band.y0, band.y1, band.pixels); });
 /// }
 /// ```
 #include <algorithm>

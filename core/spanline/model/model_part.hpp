@@ -6,11 +6,10 @@
 /// #include <spanline/frame/ready_made_traits.hpp>
 /// #include <spanline/frame/renderer.hpp>
 ///
-/// template <class Traits>
-/// Status add_all(Renderer<Traits>& renderer, std::span<const ModelPart> parts, const Transform& transform) {
+/// Status add_all(Renderer<LocalLightTraits<>>& picture, std::span<const ModelPart> robot, const Transform& where) {
 ///   Status status;
-///   for (std::size_t i = 0; status.ok() && i < parts.size(); ++i)
-///     status = renderer.add(*parts[i].mesh, transform, parts[i].material);
+///   for (std::size_t i = 0; status.ok() && i < robot.size(); ++i)
+///     status = picture.add(*robot[i].mesh, where, robot[i].material);
 ///   return status;
 /// }
 /// ```
