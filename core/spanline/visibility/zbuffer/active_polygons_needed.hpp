@@ -8,9 +8,9 @@
 
 namespace spanline {
 
-/// The number of entries that a pool of active polygons would need, exactly: bands are gone through in order of
-/// submission as drawing does, where a polygon that goes on below takes an entry before later ones that end give theirs
-/// back. Linear in polygons × bands, and asked only after a pool has run full.
+/// The exact number of entries that a frame needs in the pool of active polygons. It repeats the order of drawing: in
+/// each band polygons come in order of submission, and one that continues below takes an entry before later ones that
+/// end free theirs. This takes time proportional to polygons × bands and is called only after a pool was full.
 [[nodiscard]] inline std::uint32_t active_polygons_needed(const PolygonTable& table, Viewport viewport,
                                                           std::int32_t band_lines) {
   std::uint32_t greatest = 0;

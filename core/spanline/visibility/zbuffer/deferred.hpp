@@ -1,4 +1,7 @@
 #pragma once
+/// @file
+/// Deferred shading, after Deering et al., "The Triangle Processor and Normal Vector Shader" (1988), and lecture 004.
+/// The item buffer is that of Weghorst, Hooper and Greenberg, "Improved Computational Methods for Ray Tracing" (1984).
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -14,24 +17,25 @@
 
 namespace spanline {
 
-/// Deferred shading (lecture 004): the z-buffer draws a band's polygon numbers into an item buffer, and each pixel is
-/// shaded once, when the band is finished, whatever was drawn over it before. The same bytes as the z-buffer at the
-/// same depth: surfaces are functions of (x, y), whoever makes them.
+/// Deferred shading: the z-buffer draws the numbers of a band's polygons into an item buffer, and when the band is
+/// finished, each pixel is shaded once, for its visible polygon. The pixels are the same bytes as those of the z-buffer
+/// with the same depth format, since surfaces are functions of (x, y) alone.
 ///
-/// Runs of one polygon along a row are shaded at once. Their surfaces are made anew for each band, and kept from row to
-/// row in `Kept` places, a polygon's by its number; where two polygons share a place, one drives the other out and is
-/// made again. It pays where shading is dear and polygons hide one another; nothing is seen through.
+/// Each run of one polygon along a row is shaded in one call. Surfaces are kept from row to row in a direct-mapped
+/// cache of `Kept` places, indexed by the polygon's number; of two polygons with the same place, the later replaces the
+/// earlier. Deferred shading pays where shading is expensive and polygons hide one another. It cannot draw see-through
+/// polygons.
 template <class Depth, class Pixel, class Shaders, bool Counting, unsigned Kept>
 class DeferredDepthBuffer {
   static_assert(!Shaders::see_through, "an item buffer has one polygon a pixel");
   static_assert(Kept > 0 && (Kept & (Kept - 1)) == 0, "places are found by the low bits of a number");
   using Items = DepthBuffer<Depth, Link, typename Shaders::Items, Counting>;
 
-  /// A surface as functions of the whole screen.
+  /// A cached surface, as functions of the whole screen.
   struct KeptSurface {
-    Link polygon;
-    std::uint16_t row;  ///< on which the surface stands
-    std::uint8_t shader;
+    Link polygon;         ///< the polygon that owns the surface, or no_link
+    std::uint16_t row;    ///< row for which the surface was last stepped
+    std::uint8_t shader;  ///< number of the polygon's shader
     typename Shaders::Surface surface;
   };
 
@@ -39,13 +43,14 @@ class DeferredDepthBuffer {
   using Target = BandTarget<Depth, Pixel>;
   static constexpr AlgorithmNeeds needs = AlgorithmNeeds::screen_polygons;
   static constexpr bool keeps_depth = true, tests_depth = true, takes_table_apart = false;
-  static constexpr bool clears_ahead = false;                      // there is one item buffer
-  static constexpr std::string_view counter_names[] = {"shaded"};  ///< pixels that were shaded, the background's too
+  static constexpr bool clears_ahead = false;  // there is only one item buffer
+  static constexpr std::string_view counter_names[] = {
+      "shaded"};  ///< pixels that were shaded, including the background
 
   struct Memory {
     typename Items::Memory depth_buffer;
-    std::span<Link> items;  ///< of a band
-    std::span<KeptSurface> kept;
+    std::span<Link> items;        ///< of a band
+    std::span<KeptSurface> kept;  ///< the cache of surfaces
 
     constexpr void take(Arena& arena, const Capacity& capacity) {
       depth_buffer.take(arena, capacity);
@@ -153,9 +158,9 @@ class DeferredDepthBuffer {
   Items items_;
 };
 
-/// Visibility of a renderer: a depth buffer whose pixels are shaded once, when it is known whose they are. 2 bytes a
-/// pixel of the band more (4 where pointers have 64 bits), and `Kept` surfaces, a power of two: as many as there are
-/// polygons in a row is best.
+/// The visibility algorithm of a renderer: a depth buffer with deferred shading. It takes 2 more bytes for each pixel
+/// of the band (4 where pointers have 64 bits), and memory for `Kept` surfaces. `Kept` is a power of two, best not
+/// below the number of polygons visible on a row.
 template <unsigned Kept = 32>
 struct Deferred {
   template <class Depth, class Pixel, class Shaders, bool Counting>

@@ -1,4 +1,7 @@
 #pragma once
+/// @file
+/// Depth bounds of tiles, after Greene, Kass and Miller, "Hierarchical Z-Buffer Visibility" (1993), and lecture 002;
+/// here with one level and with near bounds as well.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -10,13 +13,13 @@
 
 namespace spanline {
 
-/// Depth bounds for tiles, 32 columns of a line each (hierarchical z-buffering, lecture 002): what every pixel of a
-/// tile is nearer than, and what none is nearer than. Runs of large polygons are rejected or accepted by them, a tile
-/// at a time, without a look at the depth buffer.
+/// Depth bounds for tiles, each of 32 columns of one line. No pixel of a tile is farther than its `farthest` bound, and
+/// none is nearer than its `nearest` bound. Runs of large polygons are rejected or accepted a tile at a time by the
+/// bounds, without reading the depth buffer.
 ///
-/// `farthest` holds whatever is drawn, since pixels only come nearer: short runs need not keep it. `nearest` holds as
-/// long as large polygons alone drew on the lines: others mark their lines as touched, once a polygon, and nothing is
-/// accepted there any more.
+/// The bound `farthest` stays valid whatever is drawn, since pixels only become nearer, so small polygons need not
+/// update it. The bound `nearest` is valid only on lines where large polygons alone have drawn. Other polygons mark
+/// their lines as touched, and on touched lines no run is accepted.
 template <class Depth>
 class DepthBounds {
  public:
@@ -26,37 +29,37 @@ class DepthBounds {
   [[nodiscard]] static constexpr std::uint32_t tiles_a_line(std::uint32_t width) {
     return (width + tile_columns - 1) / tile_columns;
   }
-  /// Words that bounds of a band take.
+  /// Number of words that the bounds of a band take.
   [[nodiscard]] static constexpr std::size_t words(std::uint32_t width, std::uint32_t lines) {
     return std::size_t{2} * tiles_a_line(width) * lines;
   }
 
   DepthBounds() = default;
 
-  /// Takes the words of bands of up to `lines` lines.
+  /// Takes memory for bands of up to `lines` lines.
   constexpr void take(Arena& arena, std::uint32_t width, std::uint32_t lines) {
     words_ = arena.take<Word>(words(width, lines));
     tiles_ = tiles_a_line(width);
     while (lines > 32u << touched_shift_) ++touched_shift_;
   }
 
-  /// For a band whose depths have been cleared.
+  /// Resets the bounds, for a band whose depths have been cleared.
   void clear() {
     std::fill(words_.begin(), words_.end(), Depth::clear);
     touched_ = 0;
   }
 
-  /// Lines [first, first + count) of the band are drawn without care for `nearest`.
+  /// Marks lines [first, first + count) of the band as drawn without an update of `nearest`.
   void touch(std::int32_t first, std::int32_t count) {
     const std::uint32_t low = word(first) >> touched_shift_, high = word(first + count - 1) >> touched_shift_;
     touched_ |= (~std::uint32_t{0} << low) & (~std::uint32_t{0} >> (31 - high));
   }
 
-  /// Cuts the run [first, end) of columns at tiles and draws what may be seen of it: `draw(column, count, z,
-  /// accepted)` is called with the first column and the plane word of each piece. `line` counts from the band's first;
-  /// `z` is the plane word at the run's first column and `dz` its step.
-  /// `solid`: every pixel that is nearer gets written; surfaces with holes leave what lies behind, and `farthest` as it
-  /// is.
+  /// Cuts the run of columns [first, end) at tiles and draws the pieces that may be visible: `draw_piece(column, count,
+  /// z, accepted)` gets each piece's first column, its number of pixels and its plane word there; `accepted` says that
+  /// it needs no depth test. `line` counts from the first line of the band. `z` is the plane word at the run's first
+  /// column and `dz` its step a column. `solid` says that every nearer pixel is written; surfaces with holes must not
+  /// move `farthest`.
   template <class Draw>
   void draw(std::int32_t line, std::uint32_t first, std::uint32_t end, std::uint32_t width, std::uint32_t z,
             std::uint32_t dz, bool solid, Draw draw_piece) {
@@ -81,19 +84,19 @@ class DepthBounds {
   }
 
  private:
-  std::span<Word> words_{};  ///< line by line, tile by tile: farthest, nearest
-  std::uint32_t tiles_ = 0;
-  int touched_shift_ = 0;      ///< lines a bit of `touched_`, as a power of two
-  std::uint32_t touched_ = 0;  ///< groups of lines where `nearest` may be wrong
+  std::span<Word> words_{};    ///< the bounds `farthest` and `nearest` of each tile, tile by tile and line by line
+  std::uint32_t tiles_ = 0;    ///< tiles a line
+  int touched_shift_ = 0;      ///< log2 of the lines that share a bit of `touched_`
+  std::uint32_t touched_ = 0;  ///< bit i: the bounds `nearest` may be wrong on the i-th group of lines
 };
 
-/// A band whose depths have bounds.
+/// A band of the picture with depth bounds.
 template <class Depth, class Pixel>
 struct BoundedBandTarget : BandTarget<Depth, Pixel> {
   DepthBounds<Depth>* bounds;
 };
 
-/// In the place of bounds where a program has none: no memory, no work.
+/// Takes the place of DepthBounds in programs without bounds. It takes neither memory nor time.
 struct NoDepthBounds {
   constexpr void take(Arena&, std::uint32_t, std::uint32_t) {}
   void clear() {}

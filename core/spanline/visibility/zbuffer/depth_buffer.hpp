@@ -1,4 +1,7 @@
 #pragma once
+/// @file
+/// The z-buffer, after E. Catmull, "A Subdivision Algorithm for Computer Display of Curved Surfaces" (1974), and
+/// lecture 002, "Z-buffer: Scanline" and "Incremental Scanline".
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +25,7 @@
 
 namespace spanline {
 
-/// A polygon that goes on below the band in which it was drawn: an entry of the active-edge table between bands.
+/// A polygon that continues below the band in which it was drawn: an entry of the active-edge table between bands.
 template <class Surface>
 struct ActiveEntry {
   ActiveTriangle triangle;
@@ -31,12 +34,12 @@ struct ActiveEntry {
   Link next;  ///< the next active polygon in order of submission, or the next free entry
 };
 
-/// The z-buffer over one band of lines: `zbuffer` is one band as high as the picture, `scanline-z` any other height
-/// (lecture 002, "Z-buffer: Scanline" and "Incremental Scanline").
+/// The z-buffer over a band of lines. It is called `zbuffer` with one band as high as the picture and `scanline-z` with
+/// lower bands.
 ///
-/// Polygons are drawn band by band, and inside a band in order of submission: those that came in from the band above
-/// merge with those that start here. So every band height does the same depth tests in the same order, and draws the
-/// same bytes.
+/// Polygons are drawn band by band, and inside a band in order of submission: those that continue from the band above
+/// are merged with those that start in it. So the depth tests at a pixel have the same order with every band height,
+/// which draws the same bytes.
 template <class Depth, class Pixel, class Shaders, bool Counting, bool Bounded = false>
 class DepthBuffer {
  public:
@@ -54,8 +57,8 @@ class DepthBuffer {
   static constexpr bool keeps_depth = true, tests_depth = true, takes_table_apart = false, clears_ahead = !Bounded;
   static constexpr std::span<const std::string_view> counter_names{};
 
-  /// The memory of the algorithm, cut off an arena: polygons that cross a band's lower edge; none are needed where
-  /// there is one band.
+  /// The memory of the algorithm, cut off an arena: entries for polygons that cross a band's lower edge (none are
+  /// needed for a single band), depth bounds and fragments.
   struct Memory {
     std::span<Entry> active;
     [[no_unique_address]] Bounds bounds;
@@ -68,7 +71,7 @@ class DepthBuffer {
     }
   };
 
-  /// Whether links can number that many active polygons.
+  /// Whether links can number that many active polygons and fragments.
   [[nodiscard]] static constexpr bool takes(const Capacity& capacity) {
     return capacity.active < no_link && capacity.fragments < no_link;
   }
@@ -88,7 +91,7 @@ class DepthBuffer {
     fragments_.begin_frame();
   }
 
-  /// Fills a band's pixels with the background and its depths with what every polygon beats, by `fill(value, count,
+  /// Fills a band's pixels with the background and its depths with the clear value, by calls of `fill(value, count,
   /// words)`.
   template <class Fill>
   void clear(const Target& target, Fill fill) {
@@ -98,8 +101,8 @@ class DepthBuffer {
     bounds_.clear();
   }
 
-  /// Draws one band. `shading` is parallel to the table's groups; `covered(id)` is told of each polygon that
-  /// is activated (for Counting only).
+  /// Draws one band. `shading` is parallel to the table's groups. `covered(id)` is called for each polygon that covers
+  /// a pixel centre, only when counting.
   template <class ShadingGroup, class Covered>
   [[gnu::noinline]] void draw_band(const PolygonTable& table, std::span<const ShadingGroup> shading, std::int32_t band,
                                    Viewport viewport, const Target& whole_target, Covered&& covered) {
@@ -109,7 +112,7 @@ class DepthBuffer {
                            static_cast<std::size_t>(target.width * (target.end_row - target.first_row)));
   }
 
-  /// Steps over a band that somebody else draws; of its target, rows and width count.
+  /// Steps over a band that another core draws. Only the rows and the width of `target` are used.
   template <class ShadingGroup>
   [[gnu::noinline]] void skip_band(const PolygonTable& table, std::span<const ShadingGroup> shading, std::int32_t band,
                                    Viewport viewport, const Target& target) {
@@ -117,7 +120,8 @@ class DepthBuffer {
     walk_band<false>(table, shading, band, viewport, bounded, [](std::uint32_t) {});
   }
 
-  /// Polygons that were cut off at a band's edge because there was no room for them, or fragments that were laid early.
+  /// Tells whether polygons were cut off at a band's edge for lack of an entry, or fragments were blended early for
+  /// lack of room.
   [[nodiscard]] PoolShortage shortage(const FrameInput& input) const {
     if (overflowed_) return {Pool::active, active_polygons_needed(input.table, input.viewport, input.band_lines)};
     if (fragments_.overflowed()) return {Pool::fragments, fragments_.wanted()};
@@ -129,7 +133,7 @@ class DepthBuffer {
   }
 
  private:
-  /// A copy that knows the bounds, where there are any.
+  /// The target with its depth bounds, or the target itself without bounds.
   using RowsTarget = typename Rows::Target;
   using TargetWithBounds = std::conditional_t<Bounded, RowsTarget, const Target&>;
   [[nodiscard]] TargetWithBounds with_bounds(const Target& target) {
@@ -140,7 +144,7 @@ class DepthBuffer {
     }
   }
 
-  /// Merges the polygons that came in from the band above with those that begin here, in order of submission.
+  /// Merges the polygons that continue from the band above with those that begin in this band, in order of submission.
   template <bool Drawn, class ShadingGroup, class Covered>
   [[gnu::always_inline]] void walk_band(const PolygonTable& table, std::span<const ShadingGroup> shading,
                                         std::int32_t band, Viewport viewport, const RowsTarget& target,
@@ -157,7 +161,7 @@ class DepthBuffer {
     Link* link = &active_;
     for (;;) {
       const Link continuing = *link == no_link ? no_link : pool_[*link].polygon;
-      // What starts here before it; `link` stays in front of it.
+      // Polygons that start here and were submitted before `continuing`; they are inserted before it in the list.
       for (Link polygon = starting.polygon(); polygon < continuing; polygon = starting.next()) {
         job.find_group(polygon);
         begin<Drawn>(job, polygon, link, covered);
@@ -168,16 +172,16 @@ class DepthBuffer {
     }
   }
 
-  /// What the polygons of a band have in common, the group of the current one, and room to set it up.
+  /// The data that the polygons of a band share, the group of the current polygon, and room to set that polygon up.
   template <class ShadingGroup>
   struct Job {
-    ActiveTriangle triangle;  // first: Thumb-1 reaches near fields by shorter instructions
+    ActiveTriangle triangle;  // first, since Thumb-1 reaches near fields with shorter instructions
     const PolygonTable& table;
     const ShadingGroup* shading;
     const PolygonGroup* group;
     Viewport viewport;
     const RowsTarget& target;
-    Link group_end;  ///< number of the first polygon behind the group
+    Link group_end;  ///< number of the first polygon after the group
 
     /// Number of the group's shader.
     [[nodiscard]] std::uint8_t shader() const {
@@ -186,7 +190,8 @@ class DepthBuffer {
       }
       return shading->shader;
     }
-    /// Polygons come in order of submission, so groups do as well.
+    /// Moves to the group of `polygon`. Polygons come in order of submission, so the group never lies before the
+    /// current one.
     void find_group(Link polygon) {
       while (polygon >= group_end) {
         ++group;
@@ -228,7 +233,8 @@ class DepthBuffer {
         });
   }
 
-  /// Draws the rows of a polygon that lie in the band, or steps over them. True if it goes on below.
+  /// Draws the rows of a polygon that lie in the band, or steps over them. True if the polygon continues below the
+  /// band.
   template <bool Drawn, class Shader, class CornersOf>
   [[gnu::always_inline]] bool pass_rows(ActiveTriangle& triangle, typename Shader::Surface& surface,
                                         const RowsTarget& target, CornersOf corners_of) {
@@ -244,7 +250,7 @@ class DepthBuffer {
     }
   }
 
-  /// Edges and plane of a polygon, and its surface. A function of its own: that set-up wants every register.
+  /// Sets up the edges, the plane and the surface of a polygon. Not inlined, since this set-up needs every register.
   template <class Shader, class ShadingGroup>
   [[gnu::noinline]] static bool activate(const ScreenVertex* a, const ScreenVertex* b, const ScreenVertex* c,
                                          Job<ShadingGroup>& job, typename Shader::Surface& surface) {
@@ -261,14 +267,14 @@ class DepthBuffer {
       Shader::make(surface, *job.shading, corners, gradients);
     });
   }
-  /// Edges and plane of a polygon whose surface does not interpolate.
+  /// Sets up the edges and the plane of a polygon whose surface does not interpolate.
   template <class ShadingGroup>
   [[gnu::always_inline]] static inline bool activate_plain(const ScreenVertex* a, const ScreenVertex* b,
                                                            const ScreenVertex* c, Job<ShadingGroup>& job) {
     return set_up<Depth>(a, b, c, *job.group, job.viewport, job.triangle, [](const auto&) {});
   }
 
-  /// Draws the active polygon at *link, and moves on to the next one; takes it out of the list where it ends.
+  /// Draws the active polygon at *link, removes it from the list if it ends, and moves `link` to the next one.
   template <bool Drawn, class ShadingGroup>
   void go_on(Job<ShadingGroup>& job, Link*& link) {
     Entry& entry = pool_[*link];
@@ -286,7 +292,7 @@ class DepthBuffer {
     }
   }
 
-  /// Puts a polygon that goes on below the band into the list, at its place in the order of submission.
+  /// Inserts a polygon that continues below the band into the list, at its place in the order of submission.
   template <class ShaderSurface>
   void keep(const ActiveTriangle& triangle, const ShaderSurface& surface, Link polygon, Link*& link) {
     Link entry = free_;
@@ -308,7 +314,7 @@ class DepthBuffer {
     link = &kept.next;
   }
 
-  /// Whether any pixel centre lies inside, on the viewport's rows and columns.
+  /// Whether the triangle covers any pixel centre inside the viewport.
   static bool covers_pixels(ActiveTriangle triangle, const PolygonCorners& corners, Viewport viewport) {
     while (triangle.rows_to_knee + triangle.rows_after_knee > 0) {
       const RowColumns columns = step_row(triangle, [&] { return corners; });
@@ -321,21 +327,22 @@ class DepthBuffer {
   std::span<Entry> pool_;
   [[no_unique_address]] Bounds bounds_;
   [[no_unique_address]] Fragments fragments_;
-  Link free_ = no_link;
-  Link used_ = 0;
+  Link free_ = no_link;  ///< list of entries that are free again
+  Link used_ = 0;        ///< entries that were ever used in the frame
   Link peak_ = 0;
-  Link active_ = no_link;
-  bool overflowed_ = false;
+  Link active_ = no_link;    ///< list of active polygons, in order of submission
+  bool overflowed_ = false;  ///< whether a polygon found no entry in the frame
 };
 
-/// Visibility of a renderer: a depth buffer with bounds for tiles of 32 columns, for scenes of large polygons that
-/// hide one another. The same bytes; 1/16 more memory for depth; small polygons pay a few instructions each.
+/// The visibility algorithm of a renderer: a depth buffer with bounds for tiles of 32 columns, for scenes of large
+/// polygons that hide one another. It draws the same bytes as ZBuffer. Depths take 1/16 more memory, and small polygons
+/// a few more instructions each.
 struct BoundedZBuffer {
   template <class Depth, class Pixel, class Shaders, bool Counting>
   using Algorithm = DepthBuffer<Depth, Pixel, Shaders, Counting, true>;
 };
 
-/// Visibility of a renderer: a depth buffer over the whole picture or over bands of lines.
+/// The visibility algorithm of a renderer: a depth buffer over the whole picture or over bands of lines.
 struct ZBuffer {
   template <class Depth, class Pixel, class Shaders, bool Counting>
   using Algorithm = DepthBuffer<Depth, Pixel, Shaders, Counting>;

@@ -1,4 +1,7 @@
 #pragma once
+/// @file
+/// Lists of see-through fragments at each pixel, after L. Carpenter, "The A-buffer, an Antialiased Hidden Surface
+/// Method" (1984), and lecture 000, "Transparency".
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -10,22 +13,22 @@
 
 namespace spanline {
 
-/// What z-buffers keep of see-through polygons until a band is finished: for each pixel a list of fragments, nearest
-/// first (lecture 000, "Transparency": sort per pixel). All come out of one pool.
+/// The fragments of see-through polygons, which z-buffers keep until a band is finished: for each pixel a list, nearest
+/// first, with all fragments from one pool.
 ///
-/// Where the pool is full, the farthest of the pixel's fragments, the new one included, is laid over the pixel at once,
-/// as if nothing would come behind it or in between any more; the frame's status says how many fragments its fullest
-/// band had.
+/// If the pool is full, the farthest of the pixel's fragments, the new one included, is blended over the pixel at once.
+/// The result is wrong if a later polygon lies between that fragment and the pixel. The frame's status says how many
+/// fragments the fullest band needs.
 template <class Depth, class Pixel, class Layer>
 class FragmentLists {
  public:
   struct Fragment {
     typename Depth::Word depth;  ///< as the depth buffer stores it
-    Link next;                   ///< the next one behind it
-    Layer layer;
+    Link next;                   ///< the next farther fragment of the pixel
+    Layer layer;                 ///< colour and opacity, as the shader gives them
   };
 
-  /// A list a pixel of the band, and a pool of `count` fragments.
+  /// Takes memory for one list for each pixel of the band, and for a pool of `count` fragments.
   constexpr void take(Arena& arena, std::size_t band_pixels, std::size_t count) {
     heads_ = arena.take<Link>(band_pixels);
     pool_ = arena.take<Fragment>(count);
@@ -37,8 +40,8 @@ class FragmentLists {
     wanted_ = greatest_ = 0;
   }
 
-  /// A fragment at a pixel of the band, nearer than what is `drawn` there, which is `below`. Fragments come in order of
-  /// submission: of equally far ones the earlier is nearer.
+  /// Adds a fragment at a pixel of the band. It is nearer than the opaque pixel there, whose depth is `drawn` and whose
+  /// colour is `below`. Fragments come in order of submission; of equally near ones, the earlier is in front.
   void add(std::size_t pixel, typename Depth::Word depth, const Layer& layer, typename Depth::Word drawn,
            Pixel& below) {
     ++wanted_;
@@ -58,8 +61,9 @@ class FragmentLists {
     *link = free;
   }
 
-  /// Lays all fragments of the band's `count` pixels that are not hidden over them, and empties the lists. Fragments
-  /// came before what was drawn at the same depth, or they would have been hidden by it.
+  /// Blends the fragments of the band's `count` pixels over them, except those that an opaque polygon hides, and
+  /// empties the lists. A fragment at the same depth as the opaque pixel was submitted earlier, since it passed its
+  /// depth test, so it is in front.
   void finish_band(const typename Depth::Word* depth, Pixel* pixels, std::size_t count) {
     if (wanted_ > greatest_) greatest_ = wanted_;
     wanted_ = 0;
@@ -67,7 +71,7 @@ class FragmentLists {
     used_ = 0;
     for (std::size_t i = 0; i < count; ++i) {
       if (heads_[i] == no_link) continue;
-      Link farther = no_link;  // the list turned round
+      Link farther = no_link;  // the visible part of the list, reversed
       for (Link fragment = heads_[i]; fragment != no_link && !Depth::hides(depth[i], pool_[fragment].depth);) {
         const Link behind = pool_[fragment].next;
         pool_[fragment].next = farther;
@@ -79,17 +83,17 @@ class FragmentLists {
     }
   }
 
-  /// Fragments that the fullest band had, whether there was room for them or not.
+  /// Number of fragments in the fullest band, including those that found no room.
   [[nodiscard]] std::uint32_t wanted() const { return greatest_; }
   [[nodiscard]] bool overflowed() const { return greatest_ > pool_.size(); }
-  /// Bytes of the fragments that were in use at most.
+  /// The most bytes of fragments in use at any time.
   [[nodiscard]] std::size_t peak_bytes() const {
     return std::min<std::size_t>(greatest_, pool_.size()) * sizeof(Fragment);
   }
 
  private:
-  /// Frees the farthest fragment of a pixel, which is laid over it unless it was hidden meanwhile; no_link if a
-  /// fragment at `depth` is the farthest itself.
+  /// Frees the farthest fragment of a pixel, after blending it over the pixel unless an opaque polygon has hidden it
+  /// since. Returns no_link if a new fragment at `depth` would be the farthest itself.
   Link take_farthest(std::size_t pixel, typename Depth::Word depth, typename Depth::Word drawn, Pixel& below) {
     Link* link = &heads_[pixel];
     if (*link == no_link) return no_link;
@@ -101,14 +105,14 @@ class FragmentLists {
     return farthest;
   }
 
-  std::span<Link> heads_{};
+  std::span<Link> heads_{};  ///< nearest fragment of each pixel of the band, or no_link
   std::span<Fragment> pool_{};
-  Link used_ = 0;
-  std::uint32_t wanted_ = 0;    ///< in this band
-  std::uint32_t greatest_ = 0;  ///< in any band
+  Link used_ = 0;               ///< fragments of the pool that are in use
+  std::uint32_t wanted_ = 0;    ///< fragments added in this band
+  std::uint32_t greatest_ = 0;  ///< greatest number of fragments added in a band of this frame
 };
 
-/// In the place of lists where no shader shows what lies behind.
+/// Takes the place of FragmentLists in programs without see-through shaders.
 struct NoFragmentLists {
   constexpr void take(Arena&, std::size_t, std::size_t) {}
   void begin_frame() {}

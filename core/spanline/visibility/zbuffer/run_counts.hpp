@@ -3,7 +3,7 @@
 
 namespace spanline {
 
-/// A pixel source that counts what is written.
+/// A pixel source that counts the pixels taken from it.
 template <class Source>
 struct CountedSource : Source {
   static constexpr bool constant = false;
@@ -14,7 +14,7 @@ struct CountedSource : Source {
   }
 };
 
-/// Counts the runs of a target, the depth tests in them and the pixels written, or nothing.
+/// Counts runs, the depth tests in them and the pixels written. Without Counting it does nothing.
 template <bool Counting>
 struct RunCounts {
   static constexpr bool counting = Counting;

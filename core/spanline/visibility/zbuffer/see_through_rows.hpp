@@ -10,14 +10,14 @@
 
 namespace spanline {
 
-/// Draws the rows of a see-through triangle that lie in a band: the slow sibling of TriangleRows, one function for all
-/// sizes of triangles. Pixels that are nearer than what is drawn become fragments where colours mix, and are written
-/// like any other where the surface is opaque but has holes.
+/// Draws the rows of a see-through triangle that lie in a band. One function serves all sizes of triangles, which is
+/// simpler and slower than TriangleRows. Pixels that pass the depth test become fragments if the surface blends; a
+/// surface that is opaque but has holes writes them at once.
 template <class Depth, class Pixel, class Fragments, bool Counting>
 struct SeeThroughRows {
   using Target = BandTarget<Depth, Pixel>;
 
-  /// As TriangleRows::draw.
+  /// As TriangleRows::draw, including the meaning of the result.
   template <class Surface, class CornersOf>
   [[gnu::noinline]] static bool draw(ActiveTriangle& triangle, Surface& surface, const Target& target,
                                      Fragments& fragments, CornersOf corners_of) {
@@ -39,7 +39,7 @@ struct SeeThroughRows {
   }
 
  private:
-  /// A run that begins at pixel `at` of the band with plane word `z`.
+  /// Draws a run that begins at pixel `at` of the band, where the plane word is `z`; `dz` is its step a column.
   template <class Surface>
   static void run(std::uint32_t z, std::uint32_t dz, const Surface& surface, RowColumns columns, std::size_t at,
                   const Target& target, Fragments& fragments) {

@@ -14,16 +14,17 @@
 
 namespace spanline {
 
-/// Draws the rows of an active triangle that lie in a band, testing depth. Input: the triangle and surface on
-/// their current row. Output: pixels and depths; the triangle and surface on the row after the band if they go on.
+/// Draws the rows of an active triangle that lie in a band, with the depth test. Input: the triangle and its surface on
+/// their current row. Output: pixels and depths; if the triangle continues, it and its surface are stepped to the row
+/// after the band.
 template <class Depth, class Pixel, bool Counting, bool Bounded>
 class TriangleRows {
  public:
   using Target = std::conditional_t<Bounded, BoundedBandTarget<Depth, Pixel>, BandTarget<Depth, Pixel>>;
   using Run = DepthRun<Depth, Pixel>;
 
-  /// `corners_of` gives the polygon's corners, asked for only where a large triangle meets its knee. True if the
-  /// triangle goes on below the band.
+  /// `corners_of` returns the polygon's corners; it is called only where a large triangle reaches its knee. True if the
+  /// triangle continues below the band.
   template <class Surface, class CornersOf>
   static bool draw(ActiveTriangle& triangle, Surface& surface, const Target& target, CornersOf corners_of) {
     const std::int32_t before = triangle.rows_to_knee, after = triangle.rows_after_knee;
@@ -72,7 +73,7 @@ class TriangleRows {
     }
   }
 
-  /// A run against the depth buffer; `z` is the plane word at its first pixel.
+  /// Draws a run with the depth test; `z` is the plane word at its first pixel.
   template <class Surface>
   [[gnu::always_inline]] static inline void test_piece(const Surface& surface, std::int32_t column,
                                                        typename Depth::Word* depth, Pixel* pixels,
@@ -84,7 +85,7 @@ class TriangleRows {
       Run::run(depth, pixels, pixel_count, z, dz, Counts::source(surface.source(column), target));
   }
 
-  /// A piece of a run that bounds have not rejected; where they accept it, nothing need be compared.
+  /// Draws a piece of a run that the bounds have not rejected. If they have accepted it, no depth is compared.
   template <class Surface>
   static void draw_piece(const Surface& surface, std::int32_t column, typename Depth::Word* depth, Pixel* pixels,
                          std::uint32_t pixel_count, std::uint32_t z, std::uint32_t dz, const Target& target,
