@@ -52,15 +52,15 @@ Frame warm_frame(Capacity capacity, unsigned band, std::span<std::byte> memory, 
     submit(renderer);
     frame.instructions = board::counter_read();
     NullSink sink;
-    renderer.start_bands();
+    frame.complete = renderer.start_bands().ok();
     for (std::uint32_t i = 0; i < capacity.bands(); ++i) {
-      renderer.clear_band(i);
+      frame.complete &= renderer.clear_band(i).ok();
       board::counter_start();
       const auto view = renderer.draw_band(i, sink);
       frame.instructions += board::counter_read();
       for (const auto pixel : view.pixels) crc.add(pixel);
     }
-    frame.complete = renderer.end_bands().ok();
+    frame.complete &= renderer.end_bands().ok();
     board::counter_report();
     frame.crc = crc.value();
   }

@@ -76,14 +76,13 @@ void share(const char* scene, Capacity capacity, Submit submit) {
   const std::uint32_t instructions_alone = counted([&] { return renderer.draw(NoSink{}); });
 
   submit(renderer);
-  partner.take_frame();
+  same = partner.take_frame().ok() && same;
   same = renderer.draw_even(crcs).ok() && partner.draw_odd(crcs).ok() && same;
   const std::uint32_t shared = crc_of_bands(capacity.bands());
   same = same && shared == alone;
   const std::uint32_t geometry = counted([&] {
     submit(renderer);
-    partner.take_frame();
-    return Status{};
+    return partner.take_frame();
   });
   const std::uint32_t even = counted([&] { return renderer.draw_even(NoSink{}); });
   const std::uint32_t odd = counted([&] { return partner.draw_odd(NoSink{}); });

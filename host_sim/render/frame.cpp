@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/failure.hpp"
 #include "registry/visibility_list.hpp"
+#include "render/refusal_text.hpp"
 #include "scene/core_values.hpp"
 #include "spanline/finish/average_samples.hpp"
 #include "spanline/frame/pick.hpp"
@@ -103,8 +105,7 @@ class Pass {
     for (;;) {
       const Status status = attempt(capacity, memory, finish);
       if (status.ok()) return;
-      if (status.fault != Fault::pool_full)
-        throw Failure(std::string("the renderer refused: ") + to_string(status.fault));
+      if (status.fault != Fault::pool_full) throw Failure(refusal_text(status));
       grow(capacity, status);
     }
   }
@@ -283,7 +284,10 @@ class FrameDrawing {
         plain.band_lines == plain.height ? capacity_.height
                                          : std::min<unsigned>(plain.band_lines * factor, capacity_.height));
     FrameSettings settings = settings_;
-    settings.camera.focal = Q16_16::from_raw(settings.camera.focal.raw() * static_cast<std::int32_t>(factor));
+    const std::int64_t focal = settings.camera.focal.raw() * static_cast<std::int64_t>(factor);
+    if (focal > std::numeric_limits<std::int32_t>::max())
+      throw UsageError("--samples: the view is too narrow for so many a pixel");
+    settings.camera.focal = Q16_16::from_raw(static_cast<std::int32_t>(focal));
     std::vector<std::uint32_t> sums(pixels.size());
     for (int number = 0; number < passes; ++number) {
       settings.stipple_seed = static_cast<std::uint8_t>(number);

@@ -36,13 +36,14 @@ struct Desk {
   /// Geometry and lighting: vertices to the screen, culling, the polygon table.
   bool submit() { return renderer.begin(view.settings).ok() && renderer.add(mesh, view.transform, view.material).ok(); }
   void clear() {
-    for (std::uint32_t band = 0; band < renderer.capacity().bands(); ++band) renderer.clear_band(band);
+    for (std::uint32_t band = 0; band < renderer.capacity().bands(); ++band)
+      static_cast<void>(renderer.clear_band(band));
   }
   /// Set-up, visibility and shading of all bands, over whatever the memory holds.
   void draw() {
     struct {
     } sink;
-    renderer.start_bands();
+    static_cast<void>(renderer.start_bands());
     for (std::uint32_t band = 0; band < renderer.capacity().bands(); ++band)
       benchmark::DoNotOptimize(renderer.draw_band(band, sink).pixels.data());
   }

@@ -13,7 +13,8 @@ import house
 
 # Folders whose headers programs include, and the headers there that only others of Spanline include.
 PUBLIC = ("core/spanline/frame", "core/spanline/model")
-INTERNAL = {f"core/spanline/frame/{name}.hpp" for name in ("band_drawer", "frame_pools", "shader_choice", "surface_maker")}
+INTERNAL = {f"core/spanline/frame/{name}.hpp" for name in ("band_drawer", "frame_pools", "instance_plan", "shader_choice", "shader_set",
+                                                                "surface_maker")}
 
 EXAMPLE = re.compile(r"^ *///? ?```cpp\n(.*?)^ *///? ?```$", re.MULTILINE | re.DOTALL)
 COMMENT_MARK = re.compile(r"^ *///? ?", re.MULTILINE)

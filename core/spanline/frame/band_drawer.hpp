@@ -110,9 +110,9 @@ class BandDrawer {
         skip_band(scene, band);
         continue;
       }
-      if (!make_ready(scene, band, sink)) return {Fault::sink_failed, Pool::none, 0};
+      if (!make_ready(scene, band, sink)) return Fault::sink_failed;
       const BandView view = draw_band(scene, band, sink);
-      if (!sink(view)) return {Fault::sink_failed, Pool::none, 0};
+      if (!sink(view)) return Fault::sink_failed;
     }
     return end(scene);
   }

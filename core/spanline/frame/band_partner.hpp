@@ -70,9 +70,10 @@ class BandPartner {
   /// Whether it can draw.
   [[nodiscard]] Status status() const { return status_; }
 
-  /// Takes over the frame that the renderer holds, before either draws.
-  void take_frame() {
-    if (!status_.ok()) return;
+  /// Takes over the frame that the renderer holds, before either draws. Without one it says what the renderer would.
+  Status take_frame() {
+    frame_ = status_.ok() ? renderer_.frame_ : status_;
+    if (!frame_.ok()) return frame_;
     table_ = renderer_.table_;
     if constexpr (copies) {
       std::copy_n(table_.references.begin(), table_.polygon_count, references_.begin());
@@ -81,14 +82,15 @@ class BandPartner {
       table_.buckets = buckets_;
     }
     counters_ = {};
-    taken_ = true;
+    return {};
   }
 
-  /// Draws the bands 1, 3, 5, …; the sink as for Renderer::draw, its colour bands the partner's own.
+  /// Draws the bands 1, 3, 5, … of the frame that was taken, once; the sink as for Renderer::draw, its colour bands the
+  /// partner's own.
   template <class Sink>
   Status draw_odd(Sink&& sink) {
-    if (!taken_) return status_.ok() ? Status{Fault::bad_settings, Pool::none, 0} : status_;
-    taken_ = false;
+    if (!frame_.ok()) return frame_;
+    frame_ = Fault::no_frame;
     return drawer_.draw(renderer_.scene(table_, counters_), BandShare::odd, sink);
   }
 
@@ -121,7 +123,7 @@ class BandPartner {
   std::span<PolygonReference> references_;
   std::span<Link> buckets_;
   [[no_unique_address]] typename Renderer<Traits>::Counters counters_{};
-  bool taken_ = false;
+  Status frame_{Fault::no_frame};  ///< what keeps the frame from being drawn
 };
 
 }  // namespace spanline

@@ -5,9 +5,11 @@
 #include <span>
 
 #include "spanline/frame/band_drawer.hpp"
-#include "spanline/frame/shader_choice.hpp"
+#include "spanline/frame/instance_plan.hpp"
+#include "spanline/frame/shader_set.hpp"
 #include "spanline/frame/status.hpp"
 #include "spanline/geometry/polygon_assembly.hpp"
+#include "spanline/geometry/vertex_store.hpp"
 #include "spanline/memory/arena.hpp"
 #include "spanline/memory/capacity.hpp"
 #include "spanline/memory/pool_peaks.hpp"
@@ -33,6 +35,22 @@ struct FramePools {
   std::span<PolygonReference> references;     ///< the polygon table
   std::span<FanTriangle> fans;                ///< pieces of clipped polygons and of those with many corners
   std::span<Link> buckets;                    ///< where the polygons of each band begin
+
+  /// What keeps a renderer from taking these sizes.
+  [[nodiscard]] static constexpr Status check(const Capacity& c) {
+    using Visibility = typename BandDrawer<Traits>::Visibility;
+    constexpr Fault bad = Fault::bad_configuration;
+    if (!c.valid()) return bad;
+    if (c.instances >= no_link) return {bad, Pool::instances, no_link - 1u};
+    if (c.polygons >= no_link) return {bad, Pool::polygons, no_link - 1u};
+    if (c.fans >= fan_flag) return {bad, Pool::fans, fan_flag - 1u};
+    if (Visibility::takes(c)) return {};
+    const Pool larger = c.awake >= c.layers ? Pool::awake : Pool::layers;
+    if constexpr (requires { Visibility::most_awake; })
+      return {bad, larger, Visibility::most_awake};
+    else
+      return {bad, larger, 0};
+  }
 
   /// Cuts them out of an arena.
   constexpr void take(Arena& arena, const Capacity& c) {
@@ -78,26 +96,41 @@ struct FramePools {
     return refuse(Pool::instances, used.instances_wanted, 1, groups.size());
   }
   /// Room for an instance of a mesh.
-  Status reserve(std::uint32_t groups_taken, const Mesh& mesh, bool with_shades, bool with_textures) {
+  Status reserve(std::uint32_t groups_taken, const Mesh& mesh, const InstancePlan& plan) {
     if (const Status room = reserve_group(groups_taken); !room.ok()) return room;
     const std::size_t count = mesh.vertex_count();
     if (count > vertices.size() - used.vertices)
       return refuse_all(Pool::vertices, used.vertices_wanted, used.vertices, count, vertices.size());
-    if (with_shades && count > shades.size() - used.shades)
+    if (plan.shaded() && count > shades.size() - used.shades)
       return refuse_all(Pool::shades, used.shades_wanted, used.shades, count, shades.size());
-    if (with_textures && count > textures.size() - used.textures)
+    if (plan.textured() && count > textures.size() - used.textures)
       return refuse_all(Pool::textures, used.textures_wanted, used.textures, count, textures.size());
     return {};
   }
+  /// All free vertices, those of the mesh counted as in use: for an instance that has found room.
+  [[nodiscard]] VertexStore open_store(const Mesh& mesh, const InstancePlan& plan) const {
+    VertexStore store;
+    store.vertices = vertices.subspan(used.vertices);
+    if (plan.shaded()) store.shades = shades.subspan(used.shades);
+    if (plan.textured()) store.textures = textures.subspan(used.textures);
+    if (Set::has_volumes && plan.has_third_coordinates()) store.thirds = third_coordinates.subspan(used.textures);
+    store.count = static_cast<Link>(mesh.vertex_count());
+    return store;
+  }
+  /// Takes what an instance has used of the store that was opened for it.
+  void close_store(const VertexStore& store, const InstancePlan& plan) {
+    used.vertices += store.count;
+    if (plan.shaded()) used.shades += store.count;
+    if (plan.textured()) used.textures += store.count;
+  }
   /// What an assembly has not found room for.
-  Status missing(const PolygonAssembly& assembly, std::uint32_t vertices_missing, bool with_shades,
-                 bool with_textures) {
+  Status missing(const PolygonAssembly& assembly, std::uint32_t vertices_missing, const InstancePlan& plan) {
     if (vertices_missing != 0) {
       // Up to three parallel pools: the one with the least room is named.
       constexpr std::size_t unbounded = ~std::size_t{0};
       const std::size_t vertices_left = vertices.size() - used.vertices,
-                        shades_left = with_shades ? shades.size() - used.shades : unbounded,
-                        textures_left = with_textures ? textures.size() - used.textures : unbounded;
+                        shades_left = plan.shaded() ? shades.size() - used.shades : unbounded,
+                        textures_left = plan.textured() ? textures.size() - used.textures : unbounded;
       const Status full = refuse(Pool::vertices, used.vertices_wanted, vertices_missing, vertices.size());
       if (vertices_left < shades_left && vertices_left < textures_left) return full;
       if (shades_left <= textures_left)

@@ -8,9 +8,11 @@
 /// settings.background = {20, 24, 40};
 /// const Status begun = renderer.begin(settings);
 /// ```
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 
-#include "spanline/geometry/polygon_assembly.hpp"
+#include "spanline/frame/status.hpp"
 #include "spanline/model/camera.hpp"
 #include "spanline/model/colour.hpp"
 #include "spanline/model/cull.hpp"
@@ -29,5 +31,16 @@ struct FrameSettings {
   Fog fog{};                      ///< for renderers with the general shader or one for fog; none by default
   bool dither = false;            ///< ordered dither, for renderers with the general shader; off by default
 };
+
+/// The first thing that keeps a frame from being drawn with these settings.
+[[nodiscard]] constexpr Status check_settings(const FrameSettings& settings) {
+  const Camera& camera = settings.camera;
+  const bool before_the_eye = camera.projection == Projection::orthographic || camera.near_plane.raw() > 0;
+  if (!(camera.near_plane < camera.far_plane) || !before_the_eye) return Fault::bad_planes;
+  if (camera.focal.raw() <= 0) return Fault::bad_focal;
+  const std::size_t lights = std::max(settings.lighting.lights.size(), settings.lighting.point_lights.size());
+  if (lights > Lighting::max_lights) return {Fault::too_many_lights, Pool::none, static_cast<std::uint32_t>(lights)};
+  return {};
+}
 
 }  // namespace spanline

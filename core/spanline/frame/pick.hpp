@@ -52,12 +52,12 @@ struct Sink {
 
 /// Finds the triangle that the frame, begun and added to as for `draw`, shows at (x, y), and its depth there; by any
 /// visibility algorithm, in the memory of its own bands. The renderer's traits are `IdTraits` with statistics, which
-/// make every algorithm keep depths. Draws the bands down to y's. bad_settings for a pixel outside the picture.
+/// make every algorithm keep depths. Draws the bands down to y's. outside_picture for a pixel that it does not have.
 template <class Traits>
 Status pick(Renderer<Traits>& renderer, std::int32_t x, std::int32_t y, Picked<typename Traits::Depth>& picked) {
   static_assert(Traits::statistics && Traits::Shaders::template index_of<IdShader> < Traits::Shaders::count);
   const Capacity& capacity = renderer.capacity();
-  if (x < 0 || y < 0 || x >= capacity.width || y >= capacity.height) return {Fault::bad_settings, Pool::none, 0};
+  if (x < 0 || y < 0 || x >= capacity.width || y >= capacity.height) return Fault::outside_picture;
   pick_detail::Sink<Traits> sink{x, y, capacity.width, picked};
   const Status status = renderer.draw(sink);
   return sink.found ? renderer.end_bands() : status;

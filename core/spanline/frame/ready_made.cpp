@@ -20,4 +20,23 @@ template class Renderer<TextureTraits<Rgb565, Depth24<>, Spanning>>;
 template class Renderer<SeeThroughTraits<Rgb565>>;
 template class Renderer<SeeThroughTraits<Rgb565, Depth24<>, Spanning>>;
 
+// The table of docs/visibility.md: polygons that `Spanning` can have awake on a row of a 32-bit core.
+namespace {
+
+template <template <class, class...> class Traits>
+constexpr bool has_awake_at_most(std::uint32_t most) {
+  using Spans = Renderer<Traits<Rgb565, Depth24<>, Spanning>>;
+  return sizeof(void*) > 4 || (Spans::takes({.awake = most}) && !Spans::takes({.awake = most + 1}));
+}
+static_assert(has_awake_at_most<FlatTraits>(744));
+static_assert(has_awake_at_most<GouraudTraits>(546));
+static_assert(has_awake_at_most<LocalLightTraits>(546));
+static_assert(has_awake_at_most<SeeThroughTraits>(496));
+static_assert(has_awake_at_most<TextureTraits>(399));
+static_assert(has_awake_at_most<FoggedTextureTraits>(348));
+static_assert(has_awake_at_most<GeneralTraits>(303));
+static_assert(has_awake_at_most<GeneralSeeThroughTraits>(287));
+
+}  // namespace
+
 }  // namespace spanline

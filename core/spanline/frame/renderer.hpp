@@ -25,7 +25,7 @@
 #include "spanline/frame/band_drawer.hpp"
 #include "spanline/frame/frame_pools.hpp"
 #include "spanline/frame/frame_settings.hpp"
-#include "spanline/frame/shader_choice.hpp"
+#include "spanline/frame/instance_plan.hpp"
 #include "spanline/frame/status.hpp"
 #include "spanline/frame/surface_maker.hpp"
 #include "spanline/frame/traits.hpp"
@@ -75,21 +75,29 @@ class Renderer {
     return counting.size() + Arena::alignment - 1;
   }
 
+  /// What a renderer would say of a configuration: sizes outside their ranges are bad_configuration, and so are pools
+  /// with more entries than can be numbered, which the status names with the most that they can have. That differs from
+  /// core to core, and with the shaders: `Spanning` addresses its records by 16 bits on 32-bit cores.
+  [[nodiscard]] static constexpr Status check(const Capacity& capacity) { return FramePools<Traits>::check(capacity); }
+  /// Whether a renderer takes a configuration, for programs that hold a constant one against it:
+  ///
+  ///     static_assert(Renderer<FlatTraits<>>::takes(capacity));
+  [[nodiscard]] static constexpr bool takes(const Capacity& capacity) { return check(capacity).ok(); }
+
   /// Divides `memory` into pools. `status()` tells whether it was enough and the capacity valid; if not, the renderer
   /// refuses every frame.
   Renderer(const Capacity& capacity, std::span<std::byte> memory) : drawer_(capacity, {}) {
-    const bool links_fit = capacity.polygons < no_link && capacity.fans < fan_flag && capacity.instances < no_link &&
-                           Visibility::takes(capacity);
-    if (!capacity.valid() || !links_fit) {
-      status_ = {Fault::bad_configuration, Pool::none, 0};
-      return;
-    }
+    status_ = check(capacity);
     Arena arena = Arena::aligned(memory);
     typename BandDrawer<Traits>::Pools bands;
-    pools_.take(arena, capacity);
-    bands.take(arena, capacity);
-    if (arena.overrun()) {
-      status_ = {Fault::pool_full, Pool::memory, static_cast<std::uint32_t>(bytes_needed(capacity))};
+    if (status_.ok()) {
+      pools_.take(arena, capacity);
+      bands.take(arena, capacity);
+      if (arena.overrun())
+        status_ = {Fault::pool_full, Pool::memory, static_cast<std::uint32_t>(bytes_needed(capacity))};
+    }
+    if (!status_.ok()) {
+      frame_ = status_;
       return;
     }
     table_.references = pools_.references;
@@ -103,77 +111,52 @@ class Renderer {
   /// Whether the memory was enough and the capacity in its ranges.
   [[nodiscard]] Status status() const { return status_; }
 
-  /// Starts a frame. Fails for a camera whose planes or focal length are out of range, and draws nothing then.
+  /// Starts a frame. Where the settings are out of their ranges it says so, and so do all calls for this frame: nothing
+  /// is added or drawn.
   Status begin(const FrameSettings& settings) {
-    ready_ = false;
     drawer_.forget_clears();
     table_.clear();
     counts_ = {};
     counters_ = {};
     peaks_ = {};
     pools_.used = {};
-    if (!status_.ok()) return status_;
-    if (!settings_valid(settings.camera)) return {Fault::bad_settings, Pool::none, 0};
+    bands_in_turn_ = 0;
+    frame_ = status_.ok() ? check_settings(settings) : status_;
+    if (!frame_.ok()) return frame_;
     cull_ = settings.cull;
     background_ = Format::from(settings.background);
+    needs_ = {!settings.lighting.point_lights.empty(), settings.fog.curve != FogCurve::none, settings.dither};
     surfaces_.begin(settings);
     view_ = {settings.camera, viewport(), Depth::bits, Depth::nearest, Depth::farthest};
-    ready_ = true;
     return {};
   }
 
-  /// Adds an instance of a validated mesh; the Mesh object itself must stay until `draw` has returned. Where a pool is
-  /// full what fits is kept, and the status names the pool and the size that the frame has wanted so far.
+  /// Adds an instance of a validated mesh; the Mesh object itself must stay until `draw` has returned. What the shaders
+  /// cannot draw is left out, and the status names the shader that is missing. Where a pool is full what fits is kept,
+  /// and the status names the pool and the size that the frame has wanted so far.
   Status add(const Mesh& mesh, const Transform& transform, const Material& material) {
-    if (!ready_) return status_.ok() ? Status{Fault::bad_settings, Pool::none, 0} : status_;
-    const SurfaceNeeds needs = surfaces_.needs_of(mesh, material);
-    const std::uint8_t shader = shader_for<Traits>(material, needs);
-    const std::uint32_t first_id = pools_.used.ids;
-    pools_.used.ids += static_cast<std::uint32_t>(mesh.triangle_count());
-    // Opacities of vertices go with the group's own light.
-    if (shader >= Shaders::count || (needs.local_light && Set::varying_opacity(mesh)))
-      return {Fault::shader_missing, Pool::none, 0};
-    // An algorithm that decides by whole spans cannot look through holes, unless it has layers.
-    if (!Visibility::tests_depth && !Shaders::see_through && needs.holes) return {Fault::shader_missing, Pool::none, 0};
-
+    if (!frame_.ok()) return frame_;
+    const std::uint32_t first_id = number_triangles(mesh.triangle_count());
+    const InstancePlan plan = plan_instance<Traits>(mesh, material, needs_, !Visibility::tests_depth);
+    if (plan.missing != MissingShader::none) return plan.missing;
     const InstanceGeometry geometry(view_, mesh, transform);
-    if (geometry.placement() == Placement::outside) {
-      counts_.total += static_cast<std::uint32_t>(mesh.triangle_count());
-      counts_.outside += static_cast<std::uint32_t>(mesh.triangle_count());
-      return {};
-    }
-    const bool shaded = Set::needs_shades(mesh, material);
-    if (const Status room = pools_.reserve(table_.group_count, mesh, shaded, needs.textured); !room.ok()) return room;
+    if (geometry.placement() == Placement::outside) return leave_outside(mesh);
+    if (const Status room = pools_.reserve(table_.group_count, mesh, plan); !room.ok()) return room;
 
-    const Link number = table_.group_count++;
+    VertexStore store = pools_.open_store(mesh, plan);
+    const Link number = open_group(plan, material, first_id);
     PolygonGroup& group = table_.groups[number];
-    ShadingGroup& shading = pools_.shading[number];
-    const auto& used = pools_.used;
-    VertexStore store{
-        pools_.vertices.subspan(used.vertices),
-        shaded ? pools_.shades.subspan(used.shades) : std::span<std::uint32_t>{},
-        needs.textured ? pools_.textures.subspan(used.textures) : std::span<TextureVertex>{},
-        Set::has_volumes && needs.volume ? pools_.third_coordinates.subspan(used.textures) : std::span<std::int32_t>{},
-        static_cast<Link>(mesh.vertex_count()),
-        0};
-    group = {store.vertices.data(),
-             mesh.indices.data(),
-             table_.polygon_count,
-             first_id,
-             geometry.placement() != Placement::inside,
-             Shaders::see_through && (needs.holes || needs.varies || is_see_through(material)),
-             needs.holes};
-    shading.clear();
-    shading.mesh = &mesh;
-    shading.first_id = first_id;
-    shading.shader = shader;
-    surfaces_.make(mesh, transform, material, needs, view_.camera, number, store, pools_);
-    return assemble(mesh, transform, material, geometry, group, store);
+    group.vertices = store.vertices.data();
+    group.indices = mesh.indices.data();
+    group.scissored = geometry.placement() != Placement::inside;
+    surfaces_.make(mesh, transform, material, plan, view_.camera, number, store, pools_);
+    return assemble(mesh, transform, material, plan, geometry, group, store);
   }
 
   /// Adds triangles that are on screen already: corners three by three (outcodes set where they leave the viewport),
-  /// and a colour each in RGB565. Both tables must stay until `draw` has returned. For flat shading; of the material,
-  /// opacity and transparency count. 32,767 triangles a call on 32-bit machines.
+  /// and a colour each in RGB565. Both tables must stay until `draw` has returned. They are flat, whatever the frame's
+  /// light, fog and dither; of the material, opacity and transparency count. 32,767 triangles a call on 32-bit
+  /// machines.
   Status add_screen(std::span<const ScreenVertex> vertices, std::span<const std::uint16_t> colours) {
     static constexpr Material opaque{};  // made once, not by each caller
     return add_screen(vertices, colours, opaque);
@@ -181,32 +164,28 @@ class Renderer {
   /// The same with the opacity and the transparency of a material.
   Status add_screen(std::span<const ScreenVertex> vertices, std::span<const std::uint16_t> colours,
                     const Material& material) {
-    if (!ready_) return status_.ok() ? Status{Fault::bad_settings, Pool::none, 0} : status_;
-    if (vertices.size() / 3 >= fan_flag) return {Fault::too_many_triangles, Pool::none, 0};
-    const std::uint8_t shader = shader_for<Traits>(material, {});
-    const std::uint32_t first_id = pools_.used.ids;
-    pools_.used.ids += static_cast<std::uint32_t>(vertices.size() / 3);
-    if (shader >= Shaders::count) return {Fault::shader_missing, Pool::none, 0};
+    if (!frame_.ok()) return frame_;
+    if (vertices.size() / 3 >= fan_flag) return Fault::too_many_triangles;
+    const std::uint32_t first_id = number_triangles(vertices.size() / 3);
+    const InstancePlan plan = plan_screen_triangles<Traits>(material);
+    if (plan.missing != MissingShader::none) return plan.missing;
     if (const Status room = pools_.reserve_group(table_.group_count); !room.ok()) return room;
-    const Link number = table_.group_count++;
-    table_.groups[number] = {vertices.data(), nullptr, table_.polygon_count,
-                             first_id,        true,    Shaders::see_through && is_see_through(material)};
-    ShadingGroup& shading = pools_.shading[number];
-    shading.clear();
-    shading.screen_colours = colours.data();
-    shading.first_id = first_id;
-    shading.shader = shader;
-    surfaces_.set_layering(material, number, shading);
+
+    const Link number = open_group(plan, material, first_id);
+    PolygonGroup& group = table_.groups[number];
+    group.vertices = vertices.data();
+    group.scissored = true;
+    pools_.shading[number].screen_colours = colours.data();
     PolygonAssembly assembly(table_, bucket_of_row_, viewport(), cull_);
     assembly.run_screen(vertices);
-    return finish(assembly, 0, false, false);
+    return finish(assembly, 0, plan);
   }
 
   /// For a FillingSink, between `begin` and `draw`: starts to clear the first band, while instances are added. False
   /// where the sink gives up, as it will for `draw`.
   template <class Sink>
   bool clear_ahead(Sink&& sink) {
-    return !ready_ || drawer_.clear_ahead(scene(), 0, sink);
+    return !frame_.ok() || drawer_.clear_ahead(scene(), 0, sink);
   }
 
   /// Draws the frame, top to bottom. For each band: `sink.acquire(buffer)` where the sink has it, which waits until
@@ -223,17 +202,33 @@ class Renderer {
   }
 
   /// The steps of `draw`, for programs with a loop of their own (benchmarks): start, then for each band in order clear
-  /// and draw, then end.
-  void start_bands() { drawer_.start(scene(), BandShare::all); }
+  /// and draw, then end. Without a frame, before `start_bands`, and for a band that the picture does not have they do
+  /// nothing and say so; the view of such a band is empty.
+  Status start_bands() {
+    if (!frame_.ok()) return frame_;
+    bands_in_turn_ = capacity().bands();
+    drawer_.start(scene(), BandShare::all);
+    return {};
+  }
   /// Prepares a band, [0, `capacity().bands()`).
-  void clear_band(std::uint32_t band) { drawer_.clear_band(scene(), band); }
+  Status clear_band(std::uint32_t band) {
+    if (!frame_.ok()) return frame_;
+    // By a product: Cortex-M0+ has no division.
+    if (band >= capacity().height || band * capacity().band_lines >= capacity().height) return Fault::bad_step;
+    drawer_.clear_band(scene(), band);
+    return {};
+  }
   /// Draws a band that was cleared. The sink is told of covered triangles alone.
   template <class Sink>
   BandView draw_band(std::uint32_t band, Sink& sink) {
+    if (band >= bands_in_turn_) return {};
     return drawer_.draw_band(scene(), band, sink);
   }
-  /// Ends the frame, and says what has run full.
+  /// Ends a frame that was drawn by steps, or that the sink of `draw` gave up. Its pools may have been too small.
   Status end_bands() {
+    if (!frame_.ok()) return frame_;
+    if (bands_in_turn_ == 0) return Fault::bad_step;
+    bands_in_turn_ = 0;
     note_peaks();
     return drawer_.end(scene());
   }
@@ -257,13 +252,8 @@ class Renderer {
   using Counters = std::conditional_t<Traits::statistics, VisibilityCounters, NoCounters>;
   using Visibility = typename BandDrawer<Traits>::Visibility;
   using Set = ShaderSet<Traits>;
-  [[nodiscard]] Viewport viewport() const { return {capacity().width, capacity().height}; }
-  [[nodiscard]] static bool settings_valid(const Camera& camera) {
-    const bool planes = camera.near_plane < camera.far_plane;
-    return planes && camera.focal.raw() > 0 &&
-           (camera.projection == Projection::orthographic || camera.near_plane.raw() > 0);
-  }
 
+  [[nodiscard]] Viewport viewport() const { return {capacity().width, capacity().height}; }
   [[nodiscard]] BandScene<Pixel> scene() { return scene(table_, counters_); }
   [[nodiscard]] BandScene<Pixel> scene(PolygonTable& table, Counters& counters) const {
     if constexpr (Traits::statistics)
@@ -273,49 +263,77 @@ class Renderer {
   }
   template <class Sink>
   Status draw_share(BandShare share, Sink& sink) {
-    if (!ready_) return status_.ok() ? Status{Fault::bad_settings, Pool::none, 0} : status_;
+    if (!frame_.ok()) return frame_;
+    bands_in_turn_ = capacity().bands();
     const Status drawn = drawer_.draw(scene(), share, sink);
-    if (drawn.fault != Fault::sink_failed) note_peaks();
+    if (drawn.fault == Fault::sink_failed) return drawn;
+    bands_in_turn_ = 0;
+    note_peaks();
     return drawn;
   }
 
-  Status assemble(const Mesh& mesh, [[maybe_unused]] const Transform& transform, const Material& material,
-                  const InstanceGeometry& geometry, const PolygonGroup& group, VertexStore& store) {
+  /// Numbers of the frame's triangles count on through those that are not drawn.
+  std::uint32_t number_triangles(std::size_t count) {
+    const std::uint32_t first_id = pools_.used.ids;
+    pools_.used.ids += static_cast<std::uint32_t>(count);
+    return first_id;
+  }
+  Status leave_outside(const Mesh& mesh) {
+    const auto count = static_cast<std::uint32_t>(mesh.triangle_count());
+    counts_.total += count;
+    counts_.outside += count;
+    return {};
+  }
+  /// A group as planned, for which there is room: its geometry and its light are still to come.
+  Link open_group(const InstancePlan& plan, const Material& material, std::uint32_t first_id) {
+    const Link number = table_.group_count++;
+    table_.groups[number] = {nullptr, nullptr, table_.polygon_count, first_id, true, plan.see_through, plan.holes};
+    ShadingGroup& shading = pools_.shading[number];
+    shading.clear();
+    shading.first_id = first_id;
+    shading.shader = plan.shader;
+    surfaces_.set_layering(material, number, shading);
+    return number;
+  }
+
+  Status assemble(const Mesh& mesh, [[maybe_unused]] const Transform& transform,
+                  [[maybe_unused]] const Material& material, const InstancePlan& plan, const InstanceGeometry& geometry,
+                  const PolygonGroup& group, VertexStore& store) {
     geometry.transform_vertices(store.vertices.data());
     PolygonAssembly assembly(table_, bucket_of_row_, viewport(), cull_);
-    const Clipper clipper = geometry.clipper(Set::kind_of_shades(mesh, material));
-    const bool shaded = !store.shades.empty(), textured = !store.textures.empty();
+    const Clipper clipper = geometry.clipper(plan.shades);
     std::size_t room = store.vertices.size();
-    if (shaded) room = std::min(room, store.shades.size());
-    if (textured) room = std::min(room, store.textures.size());
+    if (plan.shaded()) room = std::min(room, store.shades.size());
+    if (plan.textured()) room = std::min(room, store.textures.size());
     store.vertices = store.vertices.first(room);
     [[maybe_unused]] Nearness nearness;
     TextureVertexMaker textures;
     if constexpr (Set::has_textures) {
-      if (textured) {
+      if (plan.textured()) {
         nearness = geometry.nearness();
         textures = TextureVertexMaker::for_instance(nearness);
-        if (Set::has_volumes && !store.thirds.empty())
-          geometry.make_volume_vertices(nearness, material.volume, store.textures.data(), store.thirds.data());
-        else if (material.texturing.coordinates == TextureCoordinates::sphere_map)
-          geometry.make_sphere_map_vertices(nearness, material.texture_matrix, transform.rotation,
-                                            store.textures.data());
-        else
-          geometry.make_texture_vertices(nearness, material.texture_matrix, store.textures.data());
+        make_texture_vertices(transform, material, plan, geometry, nearness, store);
       }
     }
     assembly.run(mesh, group.vertices, group.scissored, geometry.clip_context(clipper, store, textures));
-    pools_.used.vertices += store.count;
-    if (shaded) pools_.used.shades += store.count;
-    if (textured) pools_.used.textures += store.count;
-    return finish(assembly, store.wanted_vertices, shaded, textured);
+    pools_.close_store(store, plan);
+    return finish(assembly, store.wanted_vertices, plan);
+  }
+  static void make_texture_vertices(const Transform& transform, const Material& material, const InstancePlan& plan,
+                                    const InstanceGeometry& geometry, const Nearness& nearness, VertexStore& store) {
+    if (Set::has_volumes && plan.coordinates == CoordinateSource::solid)
+      geometry.make_volume_vertices(nearness, material.volume, store.textures.data(), store.thirds.data());
+    else if (plan.coordinates == CoordinateSource::sphere_map)
+      geometry.make_sphere_map_vertices(nearness, material.texture_matrix, transform.rotation, store.textures.data());
+    else
+      geometry.make_texture_vertices(nearness, material.texture_matrix, store.textures.data());
   }
 
-  Status finish(const PolygonAssembly& assembly, std::uint32_t vertices_missing, bool shaded, bool textured) {
+  Status finish(const PolygonAssembly& assembly, std::uint32_t vertices_missing, const InstancePlan& plan) {
     counts_.total += assembly.counts.total;
     counts_.outside += assembly.counts.outside;
     counts_.back += assembly.counts.back;
-    return pools_.missing(assembly, vertices_missing, shaded, textured);
+    return pools_.missing(assembly, vertices_missing, plan);
   }
 
   void note_peaks() {
@@ -326,12 +344,14 @@ class Renderer {
   }
 
   BandDrawer<Traits> drawer_;
-  Status status_{};
-  bool ready_ = false;
+  Status status_{};                  ///< of the configuration and its memory
+  Status frame_{Fault::no_frame};    ///< what keeps the frame from being added to and drawn
+  std::uint32_t bands_in_turn_ = 0;  ///< all of them between start_bands and end_bands
   FramePools<Traits> pools_{};
   SurfaceMaker<Traits> surfaces_;
   PolygonTable table_{};
   BandOfRow bucket_of_row_{};
+  FrameNeeds needs_{};
   Cull cull_{};
   Pixel background_{};
   FrameView view_{};

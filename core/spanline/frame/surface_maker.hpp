@@ -5,7 +5,8 @@
 
 #include "spanline/frame/frame_pools.hpp"
 #include "spanline/frame/frame_settings.hpp"
-#include "spanline/frame/shader_choice.hpp"
+#include "spanline/frame/instance_plan.hpp"
+#include "spanline/frame/shader_set.hpp"
 #include "spanline/geometry/vertex_store.hpp"
 #include "spanline/model/transform.hpp"
 #include "spanline/raster/link.hpp"
@@ -24,34 +25,30 @@ class SurfaceMaker {
   void begin(const FrameSettings& settings) {
     lighting_ = settings.lighting;
     stipple_seed_ = settings.stipple_seed;
-    fog_wanted_ = settings.fog.curve != FogCurve::none;
-    dither_wanted_ = settings.dither;
     if constexpr (Set::has_effects) {
-      effects_.fogged = fog_wanted_;
+      effects_.fogged = settings.fog.curve != FogCurve::none;
       effects_.fog_colour = settings.fog.colour;
       effects_.dither = settings.dither;
       if (effects_.fogged) effects_.fog.fill(settings.fog, settings.camera);
     }
   }
 
-  /// What a mesh of a material asks of a shader in this frame.
-  [[nodiscard]] SurfaceNeeds needs_of(const Mesh& mesh, const Material& material) const {
-    SurfaceNeeds needs = Set::needs_of(mesh, material, !lighting_.point_lights.empty());
-    needs.effects = fog_wanted_ || dither_wanted_;
-    needs.dither = dither_wanted_;
-    return needs;
-  }
-
-  /// Describes group `number`, and lights its vertices where they are shaded.
-  void make(const Mesh& mesh, const Transform& transform, const Material& material, const SurfaceNeeds& needs,
+  /// Describes group `number` as planned, and lights its vertices.
+  void make(const Mesh& mesh, const Transform& transform, const Material& material, const InstancePlan& plan,
             const Camera& camera, Link number, const VertexStore& store, FramePools<Traits>& pools) {
     ShadingGroup& shading = pools.shading[number];
+    shading.mesh = &mesh;
     shading.vertex_shades = store.shades.data();
     shading.colour = LitColour::from(material.colour);
-    describe(mesh, transform, material, needs, camera, number, store, pools);
-    set_layering(material, number, shading);
+    describe(mesh, transform, material, plan, camera, number, store, pools);
     if (material.lit) set_lights(lighting_, transform, shading);  // others have full ambient light
-    if (!store.shades.empty()) shade(mesh, material, needs, number, pools, store.shades.data());
+    if constexpr (Set::has_shades) light(mesh, material, plan, shading, store.shades.data());
+    if constexpr (Set::has_ramps) {
+      if (!plan.ramp) return;
+      std::uint16_t* ramp = pools.ramps.data() + number * gouraud::ramp_size;
+      fill_ramp<Format>(LitColour::from(material.colour), ramp);
+      shading.ramp = ramp;
+    }
   }
   /// Says how a group shows what lies behind it, where the list has shaders that do.
   void set_layering([[maybe_unused]] const Material& material, [[maybe_unused]] Link number,
@@ -64,16 +61,13 @@ class SurfaceMaker {
 
   /// What shaders other than flat and Gouraud need to know.
   void describe([[maybe_unused]] const Mesh& mesh, [[maybe_unused]] const Transform& transform,
-                [[maybe_unused]] const Material& material, [[maybe_unused]] const SurfaceNeeds& needs,
+                [[maybe_unused]] const Material& material, [[maybe_unused]] const InstancePlan& plan,
                 [[maybe_unused]] const Camera& camera, [[maybe_unused]] Link number,
                 [[maybe_unused]] const VertexStore& store, [[maybe_unused]] FramePools<Traits>& pools) {
     if constexpr (Set::has_textures || Set::has_local_light) {
-      ShadingGroup& shading = pools.shading[number];
-      const bool local_light = Set::has_local_light && needs.local_light;
-      if (!needs.textured && !Set::is_general(shading.shader) && !local_light) return;
+      if (!plan.described) return;
       TexturedGroup& more = pools.textured[number];
-      more = {needs.textured ? store.textures.data() : nullptr, material.texturing, material.colour,
-              !store.shades.empty() && material.shading == ShadingMode::gouraud, Set::kind_of_shades(mesh, material)};
+      more = {store.textures.data(), material.texturing, material.colour, plan.smooth, plan.shades};
       if constexpr (Set::has_effects) more.effects = &effects_;
       if constexpr (Set::has_pixelwise) {
         pools.pixelwise[number] = {material.relief, material.volume, store.thirds.data()};
@@ -81,43 +75,33 @@ class SurfaceMaker {
       }
       if constexpr (Set::has_local_light) {
         // In place: it is too large for a temporary on small stacks.
-        if (local_light)
+        if (plan.local_light)
           more.local = new (&pools.local_lights[number]) LocalLighting(lighting_, camera, mesh, transform, material);
       }
-      shading.textured = &more;
+      pools.shading[number].textured = &more;
     }
   }
 
-  void shade(const Mesh& mesh, const Material& material, const SurfaceNeeds& needs, Link number,
-             FramePools<Traits>& pools, std::uint32_t* shades) const {
-    ShadingGroup& shading = pools.shading[number];
+  static void light(const Mesh& mesh, [[maybe_unused]] const Material& material, const InstancePlan& plan,
+                    const ShadingGroup& shading, std::uint32_t* shades) {
     if constexpr (Set::has_translucent) {
-      if (Set::varying_opacity(mesh)) return shade_translucent_vertices(mesh, material.colour, shading, shades);
+      if (plan.lighting == VertexLighting::with_opacity)
+        return shade_translucent_vertices(mesh, material.colour, shading, shades);
     }
-    light(mesh, material, needs, shading, shades);
-    if constexpr (Set::has_ramps) {
-      if (!mesh.vertex_colours.empty()) return;
-      std::uint16_t* ramp = pools.ramps.data() + number * gouraud::ramp_size;
-      fill_ramp<Format>(LitColour::from(material.colour), ramp);
-      shading.ramp = ramp;
-    }
-  }
-  static void light(const Mesh& mesh, [[maybe_unused]] const Material& material,
-                    [[maybe_unused]] const SurfaceNeeds& needs, const ShadingGroup& shading, std::uint32_t* shades) {
     if constexpr (Set::has_relief) {
-      if (needs.relief) return shade_vertices_for_relief(mesh, shading, shades);
+      if (plan.lighting == VertexLighting::on_relief) return shade_vertices_for_relief(mesh, shading, shades);
     }
     if constexpr (Set::has_local_light) {
-      if (Set::has_volumes && shade_kind(mesh, material) == vertex_shade::Kind::highlight_and_intensity)
+      if (Set::has_volumes && plan.lighting == VertexLighting::local_on_solid)
         return shade_solid_vertices_locally(mesh, *shading.textured->local, shades);
-      if (needs.local_light) return shade_vertices_locally(mesh, material.colour, *shading.textured->local, shades);
+      if (plan.lighting == VertexLighting::local)
+        return shade_vertices_locally(mesh, material.colour, *shading.textured->local, shades);
     }
-    shade_vertices(mesh, shading, shades);
+    if (plan.lighting == VertexLighting::plain) shade_vertices(mesh, shading, shades);
   }
 
   Lighting lighting_{};
   std::uint8_t stipple_seed_ = 0;
-  bool fog_wanted_ = false, dither_wanted_ = false;
   [[no_unique_address]] std::conditional_t<Set::has_effects, FrameEffects, NoEffects> effects_;
 };
 

@@ -93,12 +93,20 @@ struct SideTest {
   std::int64_t reach;
 };
 
-/// The side plane focal·coordinate + half·depth = 0; focal and half in sixteenths of a pixel. For an orthographic view
-/// the half extent stands for half·depth.
-SideTest side(std::int64_t coordinate, std::int64_t depth, std::int64_t radius, std::int64_t focal, std::int64_t half) {
-  const std::int64_t norm = square_root(static_cast<std::uint64_t>(focal * focal + half * half)) + 1;
-  return {focal * (coordinate >> 10) + half * (depth >> 10), norm * ((radius >> 10) + 2)};
-}
+/// The plane focal·coordinate + half·depth = 0 through the eye and a side of the picture. Focal length and half the
+/// picture's size are in 1/65536 pixel: a focal length of few bits would call instances inside that are not.
+class SidePlane {
+ public:
+  SidePlane(std::int64_t focal, std::int64_t half)
+      : focal_(focal), half_(half), norm_(square_root(static_cast<std::uint64_t>(focal * focal + half * half)) + 1) {}
+
+  [[nodiscard]] SideTest test(std::int64_t coordinate, std::int64_t depth, std::int64_t radius) const {
+    return {focal_ * (coordinate >> 14) + half_ * (depth >> 14), norm_ * ((radius >> 14) + 3)};
+  }
+
+ private:
+  std::int64_t focal_, half_, norm_;  ///< below 2^31, 2^26, 2^32
+};
 
 /// Whether the sphere's projection stays within the guard band, with a little to spare.
 bool within_guard_band(std::int64_t coordinate, std::int64_t nearest, std::int64_t radius, std::int64_t focal_raw,
@@ -133,11 +141,11 @@ Placement place(const FrameView& view, const ViewTransform& t) {
   if (c.z + r < t.near_plane() || c.z - r > t.far_plane()) return Placement::outside;
   if (view.camera.projection == Projection::orthographic) return place_orthographic(view, t);
 
-  const std::int64_t focal = view.camera.focal.raw() >> 12;  // sixteenths of a pixel
-  const std::int64_t half_x = view.viewport.width * 8, half_y = view.viewport.height * 8;
+  const SidePlane side(view.camera.focal.raw(), view.viewport.width * 32768),
+      end(view.camera.focal.raw(), view.viewport.height * 32768);
   bool inside = true;
-  for (const SideTest test : {side(c.x, c.z, r, focal, half_x), side(-c.x, c.z, r, focal, half_x),
-                              side(c.y, c.z, r, focal, half_y), side(-c.y, c.z, r, focal, half_y)}) {
+  for (const SideTest test :
+       {side.test(c.x, c.z, r), side.test(-c.x, c.z, r), end.test(c.y, c.z, r), end.test(-c.y, c.z, r)}) {
     if (test.value <= -test.reach) return Placement::outside;
     if (test.value < test.reach) inside = false;
   }

@@ -29,7 +29,8 @@ struct Capacity {
   std::uint32_t polygons = 0;     ///< triangles that face the eye
   std::uint32_t fans = 0;         ///< polygons among these that are pieces of clipped triangles or of larger polygons
   std::uint32_t active = 0;       ///< z-buffers: polygons that reach across a band's lower edge; 0 for a single band
-  std::uint32_t awake = 0;        ///< `span`: polygons that are awake on the same row
+  std::uint32_t awake = 0;        ///< `span`: polygons that are awake on the same row; 32-bit cores number 287 to 744,
+                                  ///< by the list of shaders (docs/visibility.md; Renderer::takes)
   std::uint32_t fragments = 0;    ///< z-buffers with see-through shaders: blended fragments of one band
   std::uint32_t layers = 0;  ///< `span` with see-through shaders: see-through polygons that are awake on the same row
 

@@ -31,7 +31,7 @@ struct Camera {
   Position eye{};   ///< where it is: world units, Q16.16, (−32768, 32768); the origin by default
   Rotation axes{};  ///< rows of Q2.30: right, up, backwards (towards the viewer), world space; the world's by default
   /// Perspective: focal length in pixels, (height / 2) / tan(fov / 2). Orthographic: pixels a world unit. Q16.16,
-  /// (0, 32767); 240 by default, which is 53° over 240 lines.
+  /// above 0, and every positive value will do; 240 by default, which is 53° over 240 lines.
   Q16_16 focal = Q16_16::from_int(240);
   Q16_16 near_plane = Q16_16::from_ratio(1, 10);  ///< world units, < far_plane; > 0 for perspective; 0.1 by default
   Q16_16 far_plane = Q16_16::from_int(100);       ///< world units, (near_plane, 32768); 100 by default

@@ -36,7 +36,7 @@ struct PointLight {
 struct Lighting {
   static constexpr std::size_t max_lights = 4;  ///< of each kind
   Fixed<16> ambient = Fixed<16>::from_int(1);   ///< Q16.16, [0, 1]; 1 by default, which alone is the unlit look
-  std::span<const DirectionalLight> lights{};   ///< at most max_lights; further ones are ignored
+  std::span<const DirectionalLight> lights{};   ///< at most max_lights; `begin` refuses more
   /// At most max_lights, for renderers with `LocalFlatShader` (shade/local_flat.hpp).
   std::span<const PointLight> point_lights{};
 };

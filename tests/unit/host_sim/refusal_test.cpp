@@ -229,6 +229,7 @@ TEST_F(RefusalTest, OptionsOfTransparencyMustMakeSense) {
       {"--transparency", "blend", "--samples", "4"},
       {"--transparency", "stochastic", "--samples", "5"},
       {"--transparency", "stochastic", "--samples", "16", "--size", "512x100"},
+      {"--transparency", "stochastic", "--samples", "16", "--fov", "0.5"},
       {"--transparency", "stochastic", "--size", "100x1024"}};
   for (const auto& options : wrong) {
     SCOPED_TRACE(::testing::PrintToString(options));

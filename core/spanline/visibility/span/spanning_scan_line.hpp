@@ -84,10 +84,12 @@ class SpanningScanLine {
     }
   };
 
+  /// Polygons, and layers, that can be awake on a row: keys address their records.
+  static constexpr auto most_awake =
+      static_cast<std::uint32_t>(std::min<std::size_t>(awake_key::largest_offset / sizeof(Entry), ~std::uint32_t{0}));
   /// Whether keys can address the records of that many awake polygons.
   [[nodiscard]] static constexpr bool takes(const Capacity& capacity) {
-    const std::size_t most = capacity.awake > capacity.layers ? capacity.awake : capacity.layers;
-    return most * sizeof(Entry) <= awake_key::largest_offset;
+    return capacity.awake <= most_awake && capacity.layers <= most_awake;
   }
   /// The polygon table's buckets hold one row each.
   [[nodiscard]] static constexpr std::uint32_t bucket_lines(const Capacity&) { return 1; }

@@ -69,7 +69,7 @@ TEST_F(BandPartnerTest, EachDrawsItsOwnBandsIntoItsOwnMemoryByTurns) {
   BandPartner<Flat> partner(renderer, more);
   ASSERT_TRUE(partner.status().ok());
   ASSERT_TRUE(submit(renderer));
-  partner.take_frame();
+  ASSERT_TRUE(partner.take_frame().ok());
   Log even, odd;
   ASSERT_TRUE(renderer.draw_even(even).ok());
   ASSERT_TRUE(partner.draw_odd(odd).ok());
@@ -81,7 +81,7 @@ TEST_F(BandPartnerTest, EachDrawsItsOwnBandsIntoItsOwnMemoryByTurns) {
 
   // Three and more colour bands go on where the last frame ended.
   ASSERT_TRUE(submit(renderer));
-  partner.take_frame();
+  ASSERT_TRUE(partner.take_frame().ok());
   Log next_even, next_odd;
   ASSERT_TRUE(renderer.draw_even(next_even).ok());
   ASSERT_TRUE(partner.draw_odd(next_odd).ok());
@@ -99,7 +99,7 @@ TEST_F(BandPartnerTest, MemoryThatIsShortIsRefused) {
   BandPartner<Spans> partner(renderer, more);
   EXPECT_EQ(partner.status(), (Status{Fault::pool_full, Pool::memory, static_cast<std::uint32_t>(bytes)}));
   ASSERT_TRUE(submit(renderer));
-  partner.take_frame();
+  EXPECT_EQ(partner.take_frame().fault, Fault::pool_full);
   EXPECT_EQ(partner.draw_odd(Log{}).fault, Fault::pool_full);
 }
 
@@ -108,11 +108,11 @@ TEST_F(BandPartnerTest, AFrameIsDrawnOnce) {
   std::vector<std::byte> more(BandPartner<Flat>::bytes_needed(capacity()));
   Renderer<Flat> renderer(capacity(), memory);
   BandPartner<Flat> partner(renderer, more);
-  EXPECT_EQ(partner.draw_odd(Log{}).fault, Fault::bad_settings);
+  EXPECT_EQ(partner.draw_odd(Log{}).fault, Fault::no_frame);
   ASSERT_TRUE(submit(renderer));
-  partner.take_frame();
+  ASSERT_TRUE(partner.take_frame().ok());
   EXPECT_TRUE(partner.draw_odd(Log{}).ok());
-  EXPECT_EQ(partner.draw_odd(Log{}).fault, Fault::bad_settings);
+  EXPECT_EQ(partner.draw_odd(Log{}).fault, Fault::no_frame);
 }
 
 TEST_F(BandPartnerTest, ASinkMayGiveItsFrameUp) {
@@ -121,7 +121,7 @@ TEST_F(BandPartnerTest, ASinkMayGiveItsFrameUp) {
   Renderer<Spans> renderer(capacity(), memory);
   BandPartner<Spans> partner(renderer, more);
   ASSERT_TRUE(submit(renderer));
-  partner.take_frame();
+  ASSERT_TRUE(partner.take_frame().ok());
   Log odd;
   odd.stop_after = 2;
   EXPECT_EQ(partner.draw_odd(odd).fault, Fault::sink_failed);

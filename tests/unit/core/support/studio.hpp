@@ -93,7 +93,7 @@ class Studio {
     BandPartner<Traits> partner(renderer_, memory);
     note(partner.status());
     PictureType even = empty_picture(), odd = empty_picture();
-    partner.take_frame();
+    note(partner.take_frame());
     Status odd_status;
     std::thread other([&] { odd_status = partner.draw_odd(BandCollector{odd}); });
     note(renderer_.draw_even(BandCollector{even}));
