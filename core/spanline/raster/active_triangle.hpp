@@ -7,7 +7,7 @@
 
 namespace spanline {
 
-/// Edges of a triangle of any size: two that are walked; the third is made when its first row comes.
+/// Exact edges of a triangle of any size. Two are stepped; the third is computed when its first row is reached.
 struct LargeEdges {
   Edge left, right;
 
@@ -19,30 +19,30 @@ struct LargeEdges {
   }
 };
 
-/// A triangle between its first row and its last: an entry of the active-edge table, with its plane equation. It is
-/// made when the triangle becomes active and lives while it is.
+/// A triangle that covers the current row: an entry of the active-edge table, with its plane equation. It exists from
+/// the triangle's first row to its last.
 struct ActiveTriangle {
-  LinearFunction depth;          ///< plane word on the current row, at column `origin`
-  std::int32_t origin;           ///< screen column that columns of edges and functions count from
+  LinearFunction depth;          ///< plane word on the current row; its column 0 is screen column `origin`
+  std::int32_t origin;           ///< screen column where the columns of edges and functions are 0
   std::int32_t row;              ///< current row, biased
-  std::int32_t rows_to_knee;     ///< rows until the left or right edge gives way to the third
-  std::int32_t rows_after_knee;  ///< rows of the third edge
+  std::int32_t rows_to_knee;     ///< rows left until the third edge replaces the left or right one
+  std::int32_t rows_after_knee;  ///< rows left along the third edge
   enum class Size : std::uint8_t { small, medium, large };
 
-  /// One word, so that set-up writes it at once.
+  /// Flags in one word, so that set-up writes them with one store.
   class Flags {
    public:
     Flags() = default;
     Flags(Size size, bool third_on_right, bool clipped)
         : bits_(static_cast<std::uint32_t>(size) | (third_on_right ? third_on_right_bit : 0) |
                 (clipped ? clipped_bit : 0)) {}
-    /// `large` edges are in `large`, others in `fixed`.
+    /// The edges are in `large` for Size::large, otherwise in `fixed`.
     [[nodiscard]] Size size() const { return static_cast<Size>(bits_ & size_mask); }
-    /// The third edge is on the right.
+    /// Whether the third edge is the right one.
     [[nodiscard]] bool third_on_right() const { return (bits_ & third_on_right_bit) != 0; }
-    /// Runs must be cut to the viewport's columns.
+    /// Whether runs must be cut to the viewport's columns.
     [[nodiscard]] bool clipped() const { return (bits_ & clipped_bit) != 0; }
-    /// The third edge is in place.
+    /// Whether the third edge has replaced the left or right one.
     [[nodiscard]] bool past_knee() const { return (bits_ & past_knee_bit) != 0; }
     void set_past_knee() { bits_ |= past_knee_bit; }
 
@@ -56,7 +56,7 @@ struct ActiveTriangle {
     LargeEdges large;
   };
 
-  /// Copies what a triangle of its size has.
+  /// Copies `other`, but of its edges only the kind in use.
   void assign(const ActiveTriangle& other) {
     depth = other.depth;
     origin = other.origin;
@@ -70,7 +70,8 @@ struct ActiveTriangle {
       fixed = other.fixed;
   }
 
-  /// Steps a small or medium triangle over rows before and after its knee, where its counts of rows allow it.
+  /// Steps a small or medium triangle over `before` rows above its knee and `after` rows below it. The caller updates
+  /// the counts of rows.
   void skip_rows(std::int32_t before, std::int32_t after) {
     fixed.skip_rows(before);
     if (after > 0) {

@@ -12,8 +12,8 @@
 
 namespace spanline {
 
-/// Fits attribute functions for a triangle that has just been set up, by whichever of the two ways the class of the
-/// triangle and the slope allow. Made by `set_up` alone.
+/// Computes linear functions of attributes for a triangle that has just been set up, with the set-up of small triangles
+/// where size and slope allow it and the wide set-up otherwise. Only `set_up` makes objects of this class.
 class AttributeGradients {
  public:
   AttributeGradients(const Triangle& t, std::int64_t area, const ActiveTriangle& active,
@@ -23,18 +23,19 @@ class AttributeGradients {
   /// Number of a corner within its group.
   [[nodiscard]] std::size_t index(const ScreenVertex* v) const { return static_cast<std::size_t>(v - first_vertex_); }
 
-  /// The corners, in the order in which `fit_fine` takes their values; twice the area in square sixteenths; the screen
-  /// column and row from which the functions count.
+  /// The corners, in the order in which `fit_fine` takes their values; twice the area in square sixteenths of a pixel;
+  /// the screen column and row of the functions' origin.
   [[nodiscard]] std::array<const ScreenVertex*, 3> corners() const { return {t_.a, t_.b, t_.c}; }
   [[nodiscard]] std::int64_t doubled_area() const { return area_; }
   [[nodiscard]] std::int32_t origin() const { return active_.origin; }
   [[nodiscard]] std::int32_t row() const { return active_.row - row_bias; }
 
-  /// Through values of up to `bits` bits, with 32 − bits guard bits: attributes that want more than `fit` gives.
+  /// The function through values of `bits` bits, with 32 − bits guard bits, for attributes that need more precision
+  /// than `fit` gives.
   void fit_fine(const std::array<std::int32_t, 3>& values, int bits, LinearFunction& function) const;
 
-  /// `value_of` gives a value in [0, 65535] for a corner; the function has 16 guard bits and stands at the active
-  /// triangle's row and origin.
+  /// The function through the values that `value_of` returns for the corners, in [0, 65535]. It has 16 guard bits and
+  /// begins at the active triangle's row and origin.
   template <class ValueOf>
   void fit(ValueOf value_of, LinearFunction& function) const {
     const std::int32_t a = value_of(t_.a), b = value_of(t_.b), c = value_of(t_.c);
@@ -43,7 +44,7 @@ class AttributeGradients {
       return;
     fit_wide(a, b, c, function);
   }
-  /// The same for a triangle that is not of the small class, or whose slope is too steep for it.
+  /// As `fit`, for a triangle that is not small or whose slope is too steep for the small set-up.
   void fit_wide(std::int32_t a, std::int32_t b, std::int32_t c, LinearFunction& function) const;
 
  private:
@@ -54,8 +55,8 @@ class AttributeGradients {
   Viewport viewport_;
 };
 
-/// The same for a small triangle, in set-up itself: everything stays in registers, and an object that others may look
-/// into is made where the wide functions are asked for.
+/// As AttributeGradients, for a small triangle inside its set-up. All members stay in registers; only where the wide
+/// set-up is needed is an AttributeGradients object made in memory.
 class SmallAttributeGradients {
  public:
   SmallAttributeGradients(const Triangle& t, std::int32_t area, std::int32_t row_offset, const ActiveTriangle& active,
@@ -74,7 +75,7 @@ class SmallAttributeGradients {
     if (fit_small_attribute(t_, area_, a, b, c, row_offset_, function)) return;
     AttributeGradients(*this).fit_wide(a, b, c, function);
   }
-  /// For surfaces that want more than `fit`.
+  /// For surfaces that need more than `fit`.
   [[gnu::always_inline]] inline operator AttributeGradients() const {
     const Triangle kept = t_;
     return {kept, area_, active_, first_vertex_, viewport_};

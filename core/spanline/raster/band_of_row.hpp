@@ -6,8 +6,9 @@
 
 namespace spanline {
 
-/// Divides rows into bands: row / lines without a divide. The inverse is rounded up, by less than 1; over 2,047 rows
-/// that is less than 2^11 / 2^shift < 1 / lines, so no row reaches the next band by it.
+/// Computes the band of a row, row / lines, without a divide instruction. The inverse 2^shift / lines is rounded up, by
+/// less than 1. Over 2,047 rows the quotient is thus too large by less than 2^11 / 2^shift < 1 / lines, so its integer
+/// part is exact.
 class BandOfRow {
  public:
   BandOfRow() = default;

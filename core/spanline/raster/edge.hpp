@@ -1,4 +1,8 @@
 #pragma once
+/// @file
+/// Exact edges by an integer DDA with a remainder, after J. Bresenham, "Algorithm for Computer Control of a Digital
+/// Plotter" (1965), and C. Hecker, "Perspective Texture Mapping" (1995), who starts it at pixel centres by floor
+/// division.
 #include <cstdint>
 
 #include "spanline/math/integer.hpp"
@@ -7,18 +11,19 @@
 
 namespace spanline {
 
-/// An edge that is walked down row by row: `x` is the first pixel whose centre lies at or right of it. Left edges begin
-/// a run there, right edges end it before: the top-left rule, exact for every slope.
+/// An edge that is stepped down row by row. `x` is the first pixel whose centre lies on or to the right of the edge. A
+/// left edge begins a run with that pixel, a right edge ends it before that pixel. This is the top-left rule, exact for
+/// every slope.
 ///
 /// At row j, with s = 16j + 8 − y0, the edge is at X = x0 + s·dx/dy sixteenths, and x = ⌈(X − 8) / 16⌉. With the floor
-/// division dx = q·dy + r this is ⌊((x0 + 8 + s·q)·dy + s·r − 1) / (16·dy)⌋. A step down adds q, and r to a running
-/// remainder.
+/// division dx = q·dy + r this is ⌊((x0 + 8 + s·q)·dy + s·r − 1) / (16·dy)⌋. A step to the next row adds q to x and r
+/// to the running remainder.
 struct Edge {
-  std::int32_t x;          ///< first pixel of the row, in the coordinates of the end points (biased or not)
-  std::int32_t step;       ///< q
+  std::int32_t x;          ///< first pixel of the row; biased if the coordinates of the end points are
+  std::int32_t step;       ///< q, the slope in pixels a row, rounded down
   std::int32_t error;      ///< running remainder − dy: [−dy, 0)
-  std::int32_t remainder;  ///< r in [0, dy)
-  std::int32_t height;     ///< dy in sixteenths
+  std::int32_t remainder;  ///< r in [0, dy): the rest of the slope, in pixels/dy a row
+  std::int32_t height;     ///< dy, sixteenths of a pixel
 
   /// The edge from (x0, y0) down to (x1, y1), y0 < y1, in sixteenths of a pixel, placed at `row` (any row, above or
   /// below).
@@ -40,7 +45,7 @@ struct Edge {
     const std::int32_t s = 16 * row + 8 - y0;
     const std::int32_t whole = x0 + 8 + s * edge.step;
     edge.x = whole >> 4;
-    if (s >= 0 && s <= 16) {  // the edge's own first row: every term is small
+    if (s >= 0 && s <= 16) {  // the first row of the edge itself, where 32 bits suffice
       edge.place((whole & 15) * dy + s * edge.remainder - 1);
     } else {
       edge.place_far(static_cast<std::int64_t>(whole & 15) * dy + static_cast<std::int64_t>(s) * edge.remainder - 1);
@@ -63,7 +68,7 @@ struct Edge {
   }
 
  private:
-  /// `rest` sixteenths·dy past pixel `x`, in [−1, 32·dy).
+  /// Normalises a position of `rest`/dy sixteenths to the right of pixel `x`; rest in [−1, 32·dy).
   void place(std::int32_t rest) {
     const std::int32_t pixel = 16 * height;
     if (rest < 0) {
@@ -76,6 +81,7 @@ struct Edge {
     }
     error = (rest >> 4) - height;
   }
+  /// The same for any `rest`.
   void place_far(std::int64_t rest) {
     const FloorDivision division = floor_divide(rest, static_cast<std::int64_t>(16) * height);
     x += static_cast<std::int32_t>(division.quotient);

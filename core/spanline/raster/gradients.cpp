@@ -9,15 +9,16 @@ namespace spanline {
 namespace {
 
 constexpr std::int32_t largest_fast_extent = 512 * 16;  // sixteenths
-/// Bits that a fast slope has below the guard bits, for the way from vertex to anchor: 16 guard bits need none.
+/// Bits that a fast slope has below the guard bits, so that its product with the distance from vertex to anchor is
+/// exact enough. With 16 guard bits none are needed.
 constexpr int extra_bits_for(int guard_bits) { return guard_bits >= 16 ? 0 : 6; }
 
-constexpr std::int32_t exact = 0;  // normalising shift that stands for "take the exact way"
+constexpr std::int32_t exact = 0;  // value of normalising_shift_ for triangles that need the exact divisions
 
 /// Up to this extent, numerators of 16-bit values and their sums fit 32 bits.
 constexpr std::int32_t largest_narrow_extent = 256 * 16;  // sixteenths
 
-/// Floor division of a numerator below 2^31 by an area below 2^16, digit by digit.
+/// Floor division of a numerator, |numerator| < 2^31, by an area below 2^16, with further binary digits on request.
 class ShortDivision {
  public:
   ShortDivision(std::int32_t numerator, std::uint32_t area) : area_(area) {
@@ -46,7 +47,7 @@ class ShortDivision {
   std::uint32_t area_, quotient_, remainder_;
 };
 
-/// The middle of [low, high) ∩ [0, size) pixels, or the pixel of the range that is nearest to the viewport.
+/// The middle of the pixels [low, high] after clamping both ends to the viewport's range [0, size).
 std::int32_t middle(std::int32_t low, std::int32_t high, std::int32_t size) {
   const std::int32_t first = std::clamp<std::int32_t>(low, 0, size - 1);
   const std::int32_t last = std::clamp<std::int32_t>(high, 0, size - 1);
@@ -68,16 +69,17 @@ Gradients::Gradients(const Triangle& triangle, std::int64_t area, Viewport viewp
   const std::int32_t extent = std::max(high_x - low_x, high_y);
   if (extent > largest_fast_extent) return;
   narrow_ = extent <= largest_narrow_extent;
-  const auto narrow = static_cast<std::uint32_t>(area);  // at most 2^13·2^13
+  const auto narrow = static_cast<std::uint32_t>(area);  // at most 2^13·2^13 square sixteenths
   normalising_shift_ = leading_zeros_32(narrow);
   inverse_ = reciprocal_32(narrow << normalising_shift_);
 }
 
 inline bool Gradients::fast_slope(Normalised numerator, int guard_bits, std::int32_t& slope) const {
-  // magnitude · inverse / 2^32 = |n|/area · 2^(zeros − 32 + 30 − normalising shift); wanted: · 2^(4 + guard + extra)
+  // magnitude · inverse / 2^32 is |n|/area · 2^(zeros − 32 + 30 − normalising shift), but the slope is |n|/area · 2^(4
+  // + guard bits + extra bits), so it must be shifted.
   const int shift = numerator.zeros - 2 - normalising_shift_ - (4 + guard_bits + extra_bits_for(guard_bits));
-  // |slope| < 2^(31 − shift), good to 2^-28 of itself: with 16 guard bits any slope that fits is good enough; with 8,
-  // and the few bits below them, 2^23 guard units a pixel are the limit.
+  // |slope| < 2^(31 − shift), with a relative error of 2^-28. With 16 guard bits every slope that fits is exact enough.
+  // With 8 guard bits and the extra bits below them, the limit is 2^23 guard units a pixel.
   if (shift < (guard_bits >= 16 ? 0 : 2)) return false;
   if (shift > 31) {
     slope = 0;

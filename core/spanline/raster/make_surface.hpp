@@ -3,7 +3,7 @@
 
 namespace spanline {
 
-/// Makes a shader's surface for a polygon, by what that shader asks for: the polygon, its gradients, or both.
+/// Makes a shader's surface for a polygon. The shader's `make` takes the polygon, its gradients, or both.
 template <class Shader, class Group, class Gradients>
 [[gnu::always_inline]] inline void make_surface(typename Shader::Surface& surface, const Group& group,
                                                 const PolygonCorners& polygon, const Gradients& gradients) {

@@ -8,17 +8,17 @@
 
 namespace spanline {
 
-/// Triangles up to 200 × 128 pixels whose edges are not too flat: the same fixed-point rows as small ones, with slopes
-/// of 24 fraction bits.
+/// Triangles up to 200 × 128 pixels whose edges are not too flat. Their rows are drawn in fixed point like those of
+/// small triangles, with 24 fraction bits.
 namespace medium_triangle {
 
 inline constexpr std::int32_t max_width = 200 * 16;   ///< sixteenths
 inline constexpr std::int32_t max_height = 128 * 16;  ///< sixteenths
-inline constexpr std::int32_t flattest = 127;         ///< pixels a row: a slope must fit Q8.24
+inline constexpr std::int32_t flattest = 127;         ///< pixels a row; a slope must fit Q8.24
 inline constexpr int fraction_bits = 24;
 
-/// dx·2^24/dy by a 16-bit reciprocal and one residual digit: at most 5 units below the true slope over dy/16 rows
-/// together. |dx| ≤ max_width, dy in [1, max_height], |dx| < flattest·dy.
+/// dx·2^24/dy by a 16-bit reciprocal and one correction by the residual. The result is below the true value, by at most
+/// 5 units after dy/16 rows. |dx| ≤ max_width, dy in [1, max_height], |dx| < flattest·dy.
 [[nodiscard]] inline std::int32_t slope(std::int32_t dx, std::int32_t dy) {
   const int shift = leading_zeros_16(word(dy));
   const std::int32_t inverse = signed_word(reciprocal_16(word(dy) << shift));  // 2^(31 − shift) / dy
@@ -28,7 +28,7 @@ inline constexpr int fraction_bits = 24;
   return first + (((rest >> 6) * inverse) >> (25 - shift));
 }
 
-/// Whether the class takes the triangle: its extent, and every edge's slope.
+/// Whether the triangle is in this class, by its extent and the slopes of its edges.
 [[nodiscard]] inline bool fits(const Triangle& t) {
   const std::int32_t low = std::min<std::int32_t>(0, std::min(t.dx1, t.dx2)),
                      high = std::max<std::int32_t>(0, std::max(t.dx1, t.dx2));
@@ -39,16 +39,17 @@ inline constexpr int fraction_bits = 24;
   return steep(t.dx1, t.dy1) && steep(t.dx2, t.dy2) && steep(t.dx2 - t.dx1, t.dy2 - t.dy1);
 }
 
-/// The column that a medium triangle's columns count from (biased): one left of its leftmost pixel.
+/// The column of origin of a medium triangle, biased: one column to the left of its leftmost pixel.
 [[nodiscard]] inline std::int32_t origin_of(const Triangle& t) {
   return row_at(t.ax + std::min<std::int32_t>(0, std::min(t.dx1, t.dx2))) - 1;
 }
 
-/// The edges of a triangle that fits, whose columns count from `origin`. `row_offset` and `third_offset` as for small
-/// triangles.
+/// Sets up the edges of a triangle that fits, with the column of origin `origin`. `row_offset` and `third_offset` are
+/// as for small triangles.
 ///
-/// An edge crosses a pixel centre at multiples of 1/(16·dy) pixel, at least 512 units; slope and start are at most 140
-/// units low over 128 rows; the start is lowered by 256, so that the integer part is that of the exact edge (tested).
+/// On a row, an edge is a multiple of 1/(16·dy) pixel away from a pixel centre, which is 0 or at least 512 units. Slope
+/// and start are at most 140 units too low over 128 rows. The start is lowered by 256 units, so that the integer part
+/// is always that of the exact edge (tested).
 inline void set_edges(const Triangle& t, const ThirdEdge& third, std::int32_t origin, std::int32_t row_offset,
                       std::int32_t third_offset, FixedEdges& edges) {
   const std::uint32_t start = (word(t.ax - 16 * origin + 8) << 20) - 256;

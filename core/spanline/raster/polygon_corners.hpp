@@ -4,7 +4,7 @@
 
 namespace spanline {
 
-/// A polygon as found in the table.
+/// The corners and numbers of a polygon of the polygon table.
 struct PolygonCorners {
   const ScreenVertex* corner[3];
   Link triangle;  ///< triangle number within the group

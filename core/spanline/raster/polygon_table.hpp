@@ -13,51 +13,54 @@
 
 namespace spanline {
 
-/// Set in PolygonReference::source if the low bits number a FanTriangle.
+/// Set in PolygonReference::source if the low bits are the number of a FanTriangle.
 inline constexpr Link fan_flag = static_cast<Link>(Link{1} << (std::numeric_limits<Link>::digits - 1));
 
 /// One polygon of the polygon table, in order of submission.
 struct PolygonReference {
-  Link
-      next;  ///< the next polygon that starts in the same band, in order of submission; the last one links to the first
+  Link next;    ///< next polygon of the same bucket, in order of submission; the last links to the first
   Link source;  ///< triangle number within its group, or fan_flag | number of its FanTriangle
 };
 
-/// A triangle whose corners stand nowhere else: a piece of a clipped triangle, or of the fan of a larger polygon.
+/// A triangle whose corners are not in the mesh's indices: a piece of a clipped triangle, or of the fan of a larger
+/// polygon.
 struct FanTriangle {
   Link corner[3];  ///< vertex numbers within the group
-  Link triangle;   ///< triangle number within the group: whose normal, colour and id it has
-  Link polygon;    ///< polygon number within the mesh: whose normal and colour it has
+  Link triangle;   ///< triangle number within the group, which gives its normal, colour and id
+  Link polygon;    ///< polygon number within the mesh, which gives its normal and colour
 };
 
-/// Polygons that share a vertex array: an instance of a mesh, or triangles given on screen.
+/// Polygons that share a vertex array: an instance of a mesh, or triangles given in screen coordinates.
 struct PolygonGroup {
   const ScreenVertex* vertices = nullptr;
-  const std::uint16_t* indices = nullptr;  ///< three a triangle; null: triangle i has vertices 3i, 3i + 1, 3i + 2
-  Link first = 0;                          ///< number of its first polygon
-  std::uint32_t first_id = 0;              ///< id of its triangle 0
-  bool scissored = false;                  ///< whether a polygon may leave the viewport
-  bool see_through = false;                ///< whether what lies behind a polygon may show
-  bool has_holes = false;                  ///< cut out of its polygons by a texture
+  const std::uint16_t* indices =
+      nullptr;                 ///< three for each triangle; if null, triangle i has vertices 3i, 3i + 1, 3i + 2
+  Link first = 0;              ///< number of its first polygon
+  std::uint32_t first_id = 0;  ///< id of its triangle 0
+  bool scissored = false;      ///< whether a polygon may leave the viewport
+  bool see_through = false;    ///< whether pixels behind a polygon may be visible through it
+  bool has_holes = false;      ///< whether a texture cuts holes into its polygons
 };
 
-/// A polygon's cuts, where it is a fragment: its pixels are those of its own edges that lie on the right side of all.
+/// The cuts of a fragment of a polygon. Its pixels are those inside the polygon's edges that lie on the given side of
+/// every cut.
 struct PolygonCuts {
-  Link first = 0;  ///< in PolygonTable::cuts
-  Link count = 0;  ///< none: the whole polygon
+  Link first = 0;  ///< index in PolygonTable::cuts
+  Link count = 0;  ///< 0 for the whole polygon
 };
 
-/// The polygon table PT with the starts of the edge table ET: the polygons of a frame in order of submission, and for
-/// each band of lines those that start there. It lies in the caller's memory and owns none.
+/// The polygon table PT with the starts of the edge table ET (lecture 002): the polygons of a frame in order of
+/// submission, and a bucket for each band of lines with the polygons that start there. All memory is the caller's.
 class PolygonTable {
  public:
   std::span<PolygonReference> references;
   std::span<FanTriangle> fans;
   std::span<PolygonGroup> groups;
   std::span<Link> buckets;  ///< for each band the last polygon that starts there; its `next` is the first
-  /// Fragments, for algorithms that draw polygons in parts; all three are empty for those that do not, who never look.
-  std::span<PolygonCuts> fragments;        ///< parallel to `references`
-  std::span<const Link> cuts;              ///< number of a half-plane · 2, plus 1 for the side where it is negative
+  /// Fragments, for algorithms that draw polygons in parts. All three are empty for other algorithms, which do not read
+  /// them.
+  std::span<PolygonCuts> fragments;  ///< parallel to `references`
+  std::span<const Link> cuts;        ///< index in `half_planes` · 2, plus 1 for the side where the value is negative
   std::span<const HalfPlane> half_planes;  ///< lines that several fragments share
   Link polygon_count = 0;
   Link fan_count = 0;
@@ -86,13 +89,13 @@ class PolygonTable {
     }
   }
 
-  /// The group of a polygon, looked for from `group` on.
+  /// The group of a polygon, by a linear search from `group` on.
   [[nodiscard]] Link group_of(Link polygon, Link group = 0) const {
     while (group + 1 < group_count && groups[group + 1u].first <= polygon) ++group;
     return group;
   }
 
-  /// The group of any polygon.
+  /// The group of a polygon, by binary search.
   [[nodiscard]] Link find_group(Link polygon) const {
     if (group_count == 1) return 0;
     Link low = 0, high = group_count;
@@ -103,7 +106,8 @@ class PolygonTable {
     return low;
   }
 
-  /// Puts a polygon into the bucket of a row to come, in no order, with buckets of one line.
+  /// Puts a polygon into the bucket of a later row, for tables with buckets of one line. The order in the bucket is
+  /// lost.
   void defer(std::int32_t row, Link polygon) {
     Link& tail = buckets[static_cast<std::size_t>(row)];
     if (tail == no_link) {
@@ -115,8 +119,8 @@ class PolygonTable {
     }
   }
 
-  /// What a fragment keeps of the columns, inside the viewport, that its polygon's edges give for a row that is not
-  /// biased.
+  /// The part of a row's columns that belongs to a fragment. `columns` are those inside its polygon's edges and the
+  /// viewport; `row` is not biased.
   [[nodiscard]] RowColumns cut(Link polygon, std::int32_t row, RowColumns columns) const {
     const PolygonCuts own = fragments[polygon];
     for (const Link cut : cuts.subspan(own.first, own.count))
@@ -140,8 +144,8 @@ class PolygonTable {
   }
 };
 
-/// The rows of the picture [first, end) whose centres lie between a polygon's highest and lowest corner; they may leave
-/// the viewport.
+/// The rows [first, end), not biased, whose centres lie between a polygon's highest and lowest corner. They may lie
+/// outside the viewport.
 struct RowRange {
   std::int32_t first, end;
 };

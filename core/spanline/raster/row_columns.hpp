@@ -3,8 +3,8 @@
 
 namespace spanline {
 
-/// Columns [first, end) of a row. Of a triangle that is being stepped they count from the triangle's column of origin,
-/// and those of a large one may leave the viewport.
+/// Columns [first, end) of a row. For a triangle that is being stepped, they count from its column of origin; those of
+/// a large triangle may lie outside the viewport.
 struct RowColumns {
   std::int32_t first, end;
 };

@@ -11,7 +11,7 @@
 
 namespace spanline {
 
-/// Puts the third edge of a triangle in place, at the row of its knee.
+/// Replaces the edge that ends at the row of a triangle's knee by the third edge.
 inline void put_third_edge(ActiveTriangle& triangle, const PolygonCorners& corners) {
   triangle.flags.set_past_knee();
   if (triangle.flags.size() == ActiveTriangle::Size::large)
@@ -20,8 +20,8 @@ inline void put_third_edge(ActiveTriangle& triangle, const PolygonCorners& corne
     triangle.fixed.put_third(triangle.flags.third_on_right());
 }
 
-/// Steps the edges and counts of rows of a triangle to its next row, for code that has no time to save. Output: the
-/// columns of the row that it stood on. `corners_of` gives its corners where the knee is met.
+/// Steps the edges and counts of rows of a triangle to its next row. Written for clarity, not for speed. Output: the
+/// columns of the row before the step. `corners_of` returns the triangle's corners and is called only at its knee.
 template <class CornersOf>
 RowColumns step_row(ActiveTriangle& triangle, CornersOf corners_of) {
   if (triangle.rows_to_knee == 0 && !triangle.flags.past_knee()) put_third_edge(triangle, corners_of());
@@ -40,8 +40,9 @@ RowColumns step_row(ActiveTriangle& triangle, CornersOf corners_of) {
   return columns;
 }
 
-/// Steps an active triangle and its surface over the rows above `end_row` (biased), to the very words that drawing them
-/// would have left. False if the triangle ends there. `corners_of` gives its corners where the knee is met.
+/// Steps an active triangle and its surface over the rows above `end_row` (biased), with exactly the words that drawing
+/// these rows would leave. False if the triangle ends above `end_row`. `corners_of` returns the triangle's corners and
+/// is called only at its knee.
 template <class Surface, class CornersOf>
 [[nodiscard]] bool skip_rows(ActiveTriangle& triangle, Surface& surface, std::int32_t end_row, CornersOf corners_of) {
   if (triangle.end_row() <= end_row) return false;
@@ -52,7 +53,7 @@ template <class Surface, class CornersOf>
   } else {
     triangle.large.skip_rows(before);
     if (after > 0) {
-      triangle.row += before;  // where the third edge begins
+      triangle.row += before;  // first row of the third edge
       if (!triangle.flags.past_knee()) put_third_edge(triangle, corners_of());
       triangle.large.skip_rows(after);
     }

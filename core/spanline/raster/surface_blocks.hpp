@@ -6,11 +6,11 @@
 
 namespace spanline {
 
-/// What a surface of blocks gives in the place of one source: a run cut at screen columns that belong to the surface
-/// and not to the run, so that a pixel is the same wherever its run begins. It stands at a column; `rest_of_block` is
-/// how many pixels one source serves from there, to the end of 16 columns or, where the attributes are linear, of the
-/// row; `next` goes on behind them. Inside the block are pieces of 4
-/// pixels, of which `rest` are left in the first; from one to the next the source is told to `next_piece`.
+/// A run of a surface in blocks, in place of one source. The run is cut at screen columns that depend on the surface
+/// and not on the run, so that a pixel is the same wherever its run begins. `rest_of_block` is the number of pixels
+/// from the current column on that one source gives: to the end of a block of 16 columns or, where the attributes are
+/// linear, to the end of the row. `next` moves to the block after that. A block has pieces of 4 pixels, of which `rest`
+/// are left in the first; `next_piece` of the source moves from one piece to the next.
 template <class B>
 concept RunBlocks = requires(B blocks, const B& view) {
   { view.rest() } -> std::convertible_to<std::uint32_t>;
@@ -20,17 +20,17 @@ concept RunBlocks = requires(B blocks, const B& view) {
   blocks.next();
 };
 
-/// A surface whose attributes are not linear over the screen (perspective textures): a run is drawn in pieces, each of
-/// which is.
+/// A surface whose attributes are not linear over the screen (perspective textures). A run of it is drawn in pieces in
+/// which they are linear.
 template <class S>
 concept SurfaceInBlocks = requires(const S& surface, std::int32_t column) {
   { surface.blocks(column) } -> RunBlocks;
 };
 
-/// Calls visit(source) for each of the `count` ≥ 1 pixels from where `blocks` stands.
+/// Calls visit(source) for each of `count` ≥ 1 pixels, from the current column of `blocks` on.
 template <RunBlocks Blocks, class Visit>
 [[gnu::always_inline]] inline void for_each_pixel(Blocks blocks, std::uint32_t count, Visit visit) {
-  constexpr std::uint32_t columns_a_piece = 4;  // behind the first of a block
+  constexpr std::uint32_t columns_a_piece = 4;  // in every piece after the first
   for (;;) {
     std::uint32_t left = blocks.rest_of_block() < count ? blocks.rest_of_block() : count, piece = blocks.rest();
     count -= left;
@@ -51,19 +51,19 @@ template <RunBlocks Blocks, class Visit>
   }
 }
 
-/// A surface whose blocks of 16 columns can be had some at a time: `certain(column, count)` says whether those of a run
-/// can, and has the first at hand. `source(column)` then wants a block: it takes one up with `restart(block)`, where it
-/// stands at the block's start, and with `restart(block, into)` at a column of it; goes from piece to piece by
-/// `next_piece(block)`; and is told of the `next_block()`. `fill_blocks` draws whole ones without a depth test.
+/// A surface whose blocks of 16 columns can be computed in batches. `certain(column, count)` tells whether the blocks
+/// of a run can, and computes the first batch. A source from `source(column)` draws from such blocks: `restart(block)`
+/// sets it to a block's start, `restart(block, into)` to a column inside the block; `next_piece(block)` moves to the
+/// block's next piece, and `next_block()` to the next block. `fill_blocks` draws whole blocks without a depth test.
 template <class S>
 concept SurfaceInCertainBlocks = SurfaceInBlocks<S> && requires(const S& surface, std::int32_t column) {
   { surface.certain(column, 1u).certain() } -> std::convertible_to<bool>;
   { surface.source(column) } -> PixelSource;
 };
 
-/// Goes through the blocks of a run of `count` ≥ 1 pixels: part(column, block, into, pixels) for those that the run
-/// cuts, `into` columns of which lie before it; whole(column, blocks, count) for whole ones. False, with nothing done,
-/// where the surface cannot give them.
+/// Visits the blocks of a run of `count` ≥ 1 pixels. Calls part(column, block, into, pixels) for a block of which the
+/// run covers only `pixels` columns, `into` columns after the block's start; calls whole(column, blocks, count) for
+/// `count` whole blocks. Returns false and does nothing if the surface cannot compute the blocks in batches.
 template <SurfaceInCertainBlocks Surface, class Part, class Whole>
 [[gnu::always_inline]] inline bool for_certain_blocks(const Surface& surface, std::int32_t column, std::uint32_t count,
                                                       Part part, Whole whole) {

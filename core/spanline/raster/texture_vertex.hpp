@@ -3,13 +3,13 @@
 
 namespace spanline {
 
-/// What a vertex carries for texturing, beside its place on screen.
+/// The data of a vertex for texturing, besides its screen vertex.
 struct TextureVertex {
-  std::uint32_t nearness;  ///< 1/z, scaled alike over an instance: [1, 2^31]; the same for all in an orthographic view
-  std::int32_t s, t;       ///< texture coordinates, 2^-20 textures
+  std::uint32_t nearness;  ///< 1/z, with one scale for an instance, [1, 2^31]; constant in orthographic views
+  std::int32_t s, t;       ///< texture coordinates, in units of 2^-20 textures
 
-  /// Between two vertices in space, before projection; t_share in Q31 of [0, 1]. The nearness is not mixed: it follows
-  /// from the point.
+  /// A texture coordinate between those of two vertices, linear in space before projection; share is Q31 in [0, 1]. The
+  /// nearness is not interpolated, since it is computed from the new point.
   [[nodiscard]] static constexpr std::int32_t mix(std::int32_t from, std::int32_t to, std::uint32_t share) {
     const std::int64_t difference = static_cast<std::int64_t>(to) - from;
     return from + static_cast<std::int32_t>((difference * share) >> 31);

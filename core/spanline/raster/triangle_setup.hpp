@@ -16,19 +16,20 @@
 
 namespace spanline {
 
-/// Sets up a triangle of any size or position as medium or large. False if it has no rows in the viewport or no
-/// area.
+/// Sets up a triangle of any size and position as a medium or large one. Output: `active`, and `area`, twice the area
+/// in square sixteenths of a pixel. False if the triangle has no rows in the viewport or no area.
 [[nodiscard]] bool set_up_large(Triangle& t, bool scissored, Viewport viewport, int depth_bits, ActiveTriangle& active,
                                 std::int64_t& area);
 
-/// The wide depth function of a small triangle that is too thin or too steep for the small class's precision.
+/// Computes the depth function by the wide set-up, for a small triangle that is too thin or too steep for the small
+/// one.
 void fit_wide_depth(const Triangle& t, std::int64_t area, Viewport viewport, int depth_bits, ActiveTriangle& active);
 
-/// Puts the third edge of a large triangle in place.
+/// Replaces the edge of a large triangle that ends at its knee by the third edge, on the current row.
 void put_third_large_edge(const PolygonCorners& polygon, ActiveTriangle& active);
 
-/// Activates a polygon: edges and plane on its first row inside the viewport. `make_surface` is called with attribute
-/// gradients of either class once it is certain that the triangle has rows. False if there is nothing to draw.
+/// Activates a polygon: sets up its edges and its plane on its first row inside the viewport. `make_surface` is called
+/// with the attribute gradients, after the triangle was found to have rows. False if there is nothing to draw.
 template <class Depth, class MakeSurface>
 [[nodiscard, gnu::always_inline]] inline bool set_up(const ScreenVertex* p, const ScreenVertex* q,
                                                      const ScreenVertex* r, const PolygonGroup& group,
@@ -54,7 +55,7 @@ template <class Depth, class MakeSurface>
     active.rows_after_knee = end - knee_row;
     small_triangle::set_edges(t, third, row_offset, 16 * knee_row + 8 - t.ay - third.y, active.fixed);
     if (!fit_small_depth<Depth>(t, area, row_offset, active.depth)) {
-      // A copy, so that the triangle itself stays in registers on the usual way.
+      // A copy, so that `t` itself stays in registers in the usual case.
       const Triangle kept = t;
       fit_wide_depth(kept, area, viewport, Depth::bits, active);
     }

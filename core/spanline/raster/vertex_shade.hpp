@@ -3,21 +3,22 @@
 
 namespace spanline {
 
-/// What a vertex carries for interpolated shading: one word, an intensity or a colour with or without opacity.
+/// The data of a vertex for interpolated shading: one word with an intensity or a colour, with or without opacity.
 ///
-/// Values keep off the ends of their range, so that the rounding of an interpolated plane cannot wrap.
+/// Values stay away from the ends of their range, so that rounding of an interpolated plane cannot wrap.
 namespace vertex_shade {
 
 enum class Kind : std::uint8_t {
-  intensity,                ///< 1/65536 of full light, [64, 65471]
-  colour,                   ///< a lit colour: 11 bits of red, 11 of green, 10 of blue, from the top
+  intensity,                ///< in units of 1/65536 of full light, [64, 65471]
+  colour,                   ///< a lit colour: 11 bits of red, 11 of green and 10 of blue, from the top
   colour_and_opacity,       ///< 8 bits each of red, green, blue and opacity, from the top
-  highlight_and_intensity,  ///< 16 bits each from the top, both as intensities are
+  highlight_and_intensity,  ///< 16 bits each from the top, both in the format of intensities
 };
 
 inline constexpr std::uint32_t lowest_intensity = 64, highest_intensity = 65471;
 
-/// Channels of 11, 11 and 10 bits, off the ends by 64/65536: red and green in [2, 2045], blue in [1, 1022].
+/// Packs channels of 11, 11 and 10 bits, at least 64/65536 from the ends: red and green in [2, 2045], blue in [1,
+/// 1022].
 [[nodiscard]] constexpr std::uint32_t pack(std::uint32_t red, std::uint32_t green, std::uint32_t blue) {
   return red << 21 | green << 10 | blue;
 }
@@ -30,12 +31,12 @@ inline constexpr std::uint32_t lowest_intensity = 64, highest_intensity = 65471;
   return static_cast<std::int32_t>(shade & 1023) << 6;
 }
 
-/// Kind::colour_and_opacity.
+/// Packs bytes for Kind::colour_and_opacity.
 [[nodiscard]] constexpr std::uint32_t pack(std::uint32_t red, std::uint32_t green, std::uint32_t blue,
                                            std::uint32_t opacity) {
   return red << 24 | green << 16 | blue << 8 | opacity;
 }
-/// A byte of it, counted from the top, as a 16-bit value that keeps off the ends.
+/// Byte `place` of such a word, counted from the top, as a 16-bit value away from the ends of the range.
 [[nodiscard]] constexpr std::int32_t byte_16(std::uint32_t shade, unsigned place) {
   const std::uint32_t value = ((shade >> (24 - 8 * place)) & 255) * 257;
   return static_cast<std::int32_t>(value < lowest_intensity    ? lowest_intensity
@@ -43,7 +44,7 @@ inline constexpr std::uint32_t lowest_intensity = 64, highest_intensity = 65471;
                                                                : value);
 }
 
-/// Kind::highlight_and_intensity; the latter lies where an intensity alone does.
+/// Packs 16-bit values for Kind::highlight_and_intensity. The intensity has the same place as in Kind::intensity.
 [[nodiscard]] constexpr std::uint32_t pack(std::uint32_t highlight, std::uint32_t intensity) {
   return highlight << 16 | intensity;
 }
@@ -54,11 +55,12 @@ inline constexpr std::uint32_t lowest_intensity = 64, highest_intensity = 65471;
   return static_cast<std::int32_t>(shade >> 16);
 }
 
-/// from + (to − from)·t, t in Q31 of [0, 1].
+/// from + (to − from)·t; t is Q31 in [0, 1].
 [[nodiscard]] constexpr std::uint32_t mix_word(std::uint32_t from, std::uint32_t to, std::uint32_t t) {
   const std::int64_t difference = static_cast<std::int64_t>(to) - static_cast<std::int64_t>(from);
   return from + static_cast<std::uint32_t>(static_cast<std::uint64_t>((difference * t) >> 31));
 }
+/// Interpolates each channel of a shade; t is Q31 in [0, 1].
 [[nodiscard]] constexpr std::uint32_t mix(Kind kind, std::uint32_t from, std::uint32_t to, std::uint32_t t) {
   if (kind == Kind::intensity) return mix_word(from, to, t);
   if (kind == Kind::colour_and_opacity) {

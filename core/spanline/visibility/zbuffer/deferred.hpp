@@ -49,7 +49,7 @@ class DeferredDepthBuffer {
 
   struct Memory {
     typename Items::Memory depth_buffer;
-    std::span<Link> items;        ///< of a band
+    std::span<Link> items;        ///< number of the visible polygon at each pixel of a band, or no_link
     std::span<KeptSurface> kept;  ///< the cache of surfaces
 
     constexpr void take(Arena& arena, const Capacity& capacity) {
