@@ -11,9 +11,9 @@ namespace spanline {
 namespace {
 
 constexpr unsigned near_plane = 0, far_plane = 1, first_guard_plane = 2;
-constexpr int dropped_bits = 13;  // of view coordinates in guard-band distances: 31 bits are left
+constexpr int dropped_bits = 13;  // low bits of view coordinates that guard-band distances drop; 31 bits remain
 
-/// v·t / 2^31 for |v| < 2^45 and t ≤ 2^31, rounded down; two products, since one would need 76 bits.
+/// v·t / 2^31 for |v| < 2^45 and t ≤ 2^31, rounded down. It takes two products, since a single one would need 76 bits.
 std::int64_t scaled(std::int64_t v, std::uint32_t t) {
   const std::int64_t high = (v >> 16) * static_cast<std::int64_t>(t);
   const std::int64_t low = ((v & 0xffff) * static_cast<std::int64_t>(t)) >> 16;
@@ -27,10 +27,12 @@ bool comes_first(const ViewPoint& a, const ViewPoint& b) { return std::tie(a.x, 
 Clipper::Clipper(const FrameView& view, const ViewTransform& transform, vertex_shade::Kind shades)
     : near_(transform.near_plane()), far_(transform.far_plane()), shades_(shades) {
   const std::int32_t focal = view.camera.focal.raw();
-  // The guard band counts from the picture's corner, view space from its middle: pixels · 2^16 of room on either side.
+  // The guard band is centred on the picture's corner, view space on its middle. `room` is the distance from the middle
+  // to one side of the guard band, in pixels · 2^16.
   const auto room = [](std::int32_t size, int side) { return (ScreenVertex::guard_pixels * 2 + side * size) * 32768; };
   for (unsigned i = 0; i < 4; ++i) {
-    // Screen x grows with x, screen y against y; +size/2 of room on the low side, −size/2 on the high side.
+    // Screen x grows with view x, screen y with −y. The room is larger by size/2 on the low side and smaller by size/2
+    // on the high side.
     const bool vertical = i >= 2;
     const bool low = i % 2 == 0;
     const std::int32_t pixels = room(vertical ? view.viewport.height : view.viewport.width, low ? 1 : -1);

@@ -1,4 +1,6 @@
 #pragma once
+/// @file
+/// Polygon clipping plane by plane, after I. Sutherland and G. Hodgman, "Reentrant Polygon Clipping" (1974).
 #include <array>
 #include <cstdint>
 
@@ -12,15 +14,15 @@ namespace spanline {
 /// A corner of a polygon that is being clipped.
 struct ClipVertex {
   ViewPoint point;
-  std::uint32_t shade;      ///< a vertex shade; interpolated with the point
-  std::int32_t s, t, r;     ///< texture coordinates, 2^-20 textures; interpolated with the point
-  Link original = no_link;  ///< the mesh vertex that it is, or no_link for a point made by clipping
-  /// Whether its outcode says that it lies in the guard band. Neighbours that need no clipping go by the outcode, so
-  /// clipping must as well, whatever rounding makes of a point on the very edge.
+  std::uint32_t shade;      ///< a vertex shade, interpolated with the point
+  std::int32_t s, t, r;     ///< texture coordinates in units of 2^-20 textures, interpolated with the point
+  Link original = no_link;  ///< number of the mesh vertex, or no_link for a point made by clipping
+  /// Whether the vertex's outcode says that it lies in the guard band. Neighbouring polygons that are not clipped rely
+  /// on the outcode, so clipping must agree with it where rounding puts a point at the edge outside.
   bool in_guard_band = false;
 };
 
-/// A convex polygon that is being clipped: a triangle gains a corner a plane at most.
+/// A convex polygon that is being clipped. A triangle gains at most one corner at each plane.
 class ClipPolygon {
  public:
   static constexpr unsigned planes = 6;
@@ -28,43 +30,45 @@ class ClipPolygon {
 
   [[nodiscard]] unsigned count() const { return count_; }
   [[nodiscard]] const ClipVertex& operator[](unsigned i) const { return corner_[order_[i]]; }
-  /// Appends a corner. Where there is no room, it is left out: convex polygons never get there, and those that rounding
-  /// made a little less than convex lose a sliver.
+  /// Appends a corner, or leaves it out if there is no room. This cannot happen to convex polygons. One that rounding
+  /// has made slightly non-convex loses a sliver.
   void append(const ClipVertex& corner);
 
  private:
   friend class Clipper;
-  /// Corners stay where they are while planes cut the polygon, so that no plane takes a copy of it: `order_` names them
-  /// in turn. A plane needs its two new corners before it lets go of an old one.
+  /// Corners keep their places while planes clip the polygon, so that it is never copied; `order_` lists the places in
+  /// the order of the polygon. One place is spare, since a plane adds two corners before it removes one.
   std::array<ClipVertex, most_corners + 1> corner_;
   std::array<std::uint8_t, most_corners> order_{};
   std::uint16_t taken_ = 0;  ///< bit i: corner_[i] is in use
   std::uint8_t count_ = 0;
 };
 
-/// Clips polygons in view space to the near and far planes and to the guard band, plane by plane (Sutherland and
-/// Hodgman). An intersection is computed from the end of the edge that comes first in the order of coordinates, so that
-/// polygons that share the edge get the same point.
+/// Clips polygons in view space to the near and far planes and to the guard band, plane by plane. The intersection of
+/// an edge is always computed from the end whose coordinates are lexicographically first, so that polygons that share
+/// the edge get the same point.
 class Clipper {
  public:
   Clipper() = default;
   Clipper(const FrameView& view, const ViewTransform& transform, vertex_shade::Kind shades);
 
-  /// Clips in place; no corner is left where nothing lies inside.
+  /// Clips a polygon in place. It has no corners afterwards if it lies outside.
   void clip(ClipPolygon& polygon) const;
 
  private:
-  /// A half-space: x·point.x + y·point.y + z·point.z + constant ≥ 0, of components without their low bits.
+  /// A half-space x·point.x + y·point.y + z·point.z + constant ≥ 0, where the low bits of the point's components are
+  /// dropped.
   struct Plane {
     std::int32_t x, y, z;
     std::int64_t constant;
   };
+  /// Distance of a point from a plane in a unit that depends on the plane; negative outside.
   [[nodiscard]] std::int64_t distance(unsigned plane, const ViewPoint& point) const;
   [[nodiscard]] ClipVertex intersection(unsigned plane, const ClipVertex& a, std::int64_t distance_a,
                                         const ClipVertex& b, std::int64_t distance_b) const;
 
-  std::int64_t near_ = 0, far_ = 0;
-  Plane guard_[4] = {};
+  std::int64_t near_ = 0, far_ = 0;  ///< distances of the planes, view units
+  Plane guard_[4] = {};              ///< left, right, top and bottom of the guard band
   vertex_shade::Kind shades_ = vertex_shade::Kind::intensity;
 };
 

@@ -8,7 +8,7 @@
 
 namespace spanline {
 
-/// One instance on its way to the screen: where it lies, and the way its vertices take.
+/// The geometry stage of one instance: its placement in the view and the transformation of its vertices to the screen.
 class InstanceGeometry {
  public:
   InstanceGeometry(const FrameView& view, const Mesh& mesh, const Transform& transform)
@@ -16,17 +16,18 @@ class InstanceGeometry {
 
   [[nodiscard]] Placement placement() const { return placement_; }
 
-  /// Every vertex of the mesh once.
+  /// Transforms every vertex of the mesh to the screen.
   void transform_vertices(ScreenVertex* out) const;
 
-  /// Clipping for this instance. The context refers to this object, to `clipper` and to `store`.
+  /// The clipper and the context of clipping for this instance. The context refers to this object, to `clipper` and to
+  /// `store`, which must outlive it.
   [[nodiscard]] Clipper clipper(vertex_shade::Kind shades) const { return {view_, transform_, shades}; }
   [[nodiscard]] PolygonAssembly::ClipContext clip_context(const Clipper& clipper, VertexStore& store,
                                                           TextureVertexMaker textures = {}) const {
     return {&clipper, &transform_, &projection_, textures, &store};
   }
 
-  /// Texturing for this instance.
+  /// The texture vertices of this instance (see texture_vertices.hpp).
   [[nodiscard]] Nearness nearness() const { return {view_, transform_}; }
   void make_texture_vertices(const Nearness& nearness, const TextureMatrix& matrix, TextureVertex* out) const {
     spanline::make_texture_vertices(transform_, nearness, mesh_, matrix, out);

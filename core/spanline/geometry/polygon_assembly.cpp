@@ -11,8 +11,8 @@
 namespace spanline {
 namespace {
 
-/// The sign of twice the signed area on screen. Inside the viewport (at most 2,047 pixels) 32 bits hold the products;
-/// in the guard band they do not.
+/// A number with the sign of the signed area on screen. Inside the viewport (at most 2,047 pixels) the products fit 32
+/// bits; in the guard band they do not.
 template <bool Scissored>
 inline std::int32_t orientation(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c) {
   constexpr std::uint32_t leaves = outcode_left | outcode_right | outcode_top | outcode_bottom;
@@ -25,7 +25,8 @@ inline std::int32_t orientation(const ScreenVertex& a, const ScreenVertex& b, co
   return narrow_area(a, b, c);
 }
 
-/// By value: the library's take references, which sends the operands through memory.
+/// These take their operands by value. std::min and std::max take references, for which the compiler stores the
+/// operands in memory.
 inline std::int32_t least(std::int32_t a, std::int32_t b, std::int32_t c) {
   const std::int32_t d = a < b ? a : b;
   return d < c ? d : c;
@@ -57,8 +58,8 @@ void PolygonAssembly::append_fan(std::int32_t band, const FanTriangle& fan) {
   table_.append(band, static_cast<Link>(fan_flag | table_.fan_count++));
 }
 
-/// Whether a triangle without clip codes is to be drawn, and where it starts; counts it in `back` where its side rules
-/// it out.
+/// Whether a triangle without clip codes is to be drawn. Output: `band`, where it starts. Increments `back` if it is
+/// culled by its orientation.
 template <bool Scissored>
 inline bool PolygonAssembly::take(Cull cull, const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c,
                                   std::int32_t& band, std::uint32_t& back) const {
@@ -80,7 +81,7 @@ inline bool PolygonAssembly::take(Cull cull, const ScreenVertex& a, const Screen
     first = std::max<std::int32_t>(first, row_bias);
     end = std::min(end, viewport_.height + row_bias);
   }
-  if (first >= end) return false;  // between two rows of pixel centres
+  if (first >= end) return false;  // no row of pixel centres lies inside
   band = band_of_row_(first - row_bias);
   return true;
 }
@@ -170,7 +171,8 @@ void PolygonAssembly::clip_triangle(const Mesh& mesh, const ClipContext& clip, c
   ScreenVertex screen[ClipPolygon::most_corners];
   std::uint32_t all = 0xff;
   for (unsigned i = 0; i < piece.count(); ++i) {
-    // A vertex on the very edge of the guard band may survive although its outcode says otherwise: it is made anew.
+    // A vertex at the edge of the guard band may survive clipping although its outcode says that it lies outside. It
+    // has no screen position and is projected again.
     const Link original = piece[i].original;
     const bool usable = original != no_link && (vertices[original].depth_word & outcode_clip) == 0;
     number[i] = usable ? original : no_link;

@@ -15,22 +15,23 @@
 
 namespace spanline {
 
-/// The lectures' sets of a frame: V = ((P \ F) \ B) \ O (lecture 002 and 001). What is neither outside nor culled was
-/// submitted to visibility. Polygons count as the triangles of their fans.
+/// The sizes of the lectures' sets of polygons, V = ((P \ F) \ B) \ O (lectures 001 and 002), in a frame. Polygons that
+/// are neither outside nor culled are submitted to visibility. A polygon counts as the triangles of its fan.
 struct PolygonCounts {
-  std::uint32_t total = 0;    ///< P
-  std::uint32_t outside = 0;  ///< F: outside the view
-  std::uint32_t back = 0;     ///< B: left out by orientation
+  std::uint32_t total = 0;    ///< P: all polygons
+  std::uint32_t outside = 0;  ///< F: polygons outside the view
+  std::uint32_t back = 0;     ///< B: polygons culled by their orientation
 };
 
-/// Puts the polygons of one instance into the polygon table: orientation, rejection and clipping, sorted into bands by
-/// their first row. Polygons that find no room are left out and counted.
+/// Puts the polygons of one instance into the polygon table, after rejection, culling and clipping, sorted into bands
+/// by their first row. Polygons that find no room are left out and counted.
 class PolygonAssembly {
  public:
   PolygonAssembly(PolygonTable& table, const BandOfRow& band_of_row, Viewport viewport, Cull cull)
       : table_(table), band_of_row_(band_of_row), viewport_(viewport), cull_(cull) {}
 
-  /// What clipping needs of an instance; null pointers where its placement rules clipping out.
+  /// The data that clipping needs of an instance. Pointers are null if the instance's placement shows that nothing
+  /// needs clipping.
   struct ClipContext {
     const Clipper* clipper = nullptr;
     const ViewTransform* transform = nullptr;
@@ -39,15 +40,16 @@ class PolygonAssembly {
     VertexStore* store = nullptr;
   };
 
-  /// Assembles all polygons of `mesh`, whose vertices are at `vertices`; `scissored` where it may leave the viewport.
+  /// Assembles all polygons of `mesh`, whose screen vertices are `vertices`. `scissored` says that the mesh may leave
+  /// the viewport.
   void run(const Mesh& mesh, const ScreenVertex* vertices, bool scissored, const ClipContext& clip);
 
-  /// Assembles triangles whose corners stand three by three in `vertices`.
+  /// Assembles triangles, each of three consecutive vertices.
   void run_screen(std::span<const ScreenVertex> vertices);
 
   PolygonCounts counts;
-  std::uint32_t polygons_wanted = 0;  ///< that found the polygon pool full
-  std::uint32_t fans_wanted = 0;      ///< that found the fan pool full
+  std::uint32_t polygons_wanted = 0;  ///< polygons that found no room in the pool `polygons`
+  std::uint32_t fans_wanted = 0;      ///< polygons that found no room in the pool `fans`
 
  private:
   template <bool Scissored>

@@ -8,7 +8,7 @@
 namespace spanline {
 namespace {
 
-constexpr std::int64_t far_away = 1 << 20;  // sixteenths: stands for anything beyond the guard band
+constexpr std::int64_t far_away = 1 << 20;  // sixteenths of a pixel; stands for any position beyond the guard band
 constexpr std::int64_t guard_sixteenths = ScreenVertex::guard_pixels * 16;
 
 std::uint64_t absolute(std::int64_t value) {
@@ -28,8 +28,8 @@ PointProjection::PointProjection(const FrameView& view, const ViewTransform& tra
       nearest_(view.nearest_depth),
       farthest_(view.farthest_depth) {
   exponent_shift_ = transform.exponent() + 16 - 4;
-  // far / (far − near) ≥ 1 as a 32-bit mantissa: both normalised to 31 bits, then one division.
-  // An orthographic far plane may lie at the eye or behind it; its ratio is not used.
+  // far / (far − near) ≥ 1 as a 32-bit mantissa and an exponent: numerator and denominator are normalised, then
+  // divided. In an orthographic view the far plane may lie at the eye or behind it; the ratio is not used there.
   const std::int64_t range = std::max<std::int64_t>(1, far_ - near_), far = std::max<std::int64_t>(1, far_);
   const int far_zeros = leading_zeros_64(static_cast<std::uint64_t>(far)),
             range_zeros = leading_zeros_64(static_cast<std::uint64_t>(range));
@@ -49,7 +49,7 @@ PointProjection::Sixteenths PointProjection::to_screen(const ViewPoint& point) c
   std::int64_t x, y;
   if (projection_ == Projection::orthographic) {
     const auto scaled = [this](std::int64_t v) {
-      // |v| < 2^44; 31 bits of it are enough for 1/4096 of a sixteenth at the guard band.
+      // |v| < 2^44. Its upper 31 bits give 1/4096 of a sixteenth of a pixel at the guard band.
       const int narrow = 13;
       const std::int64_t product = (v >> narrow) * focal_raw_;
       const int shift = exponent_shift_ - narrow;
@@ -60,7 +60,7 @@ PointProjection::Sixteenths PointProjection::to_screen(const ViewPoint& point) c
     x = scaled(point.x);
     y = scaled(-point.y);
   } else {
-    // Normalised so that the greatest component has 28 bits: 16·focal·x/z in 64 bits.
+    // The components are scaled until the greatest has 28 bits, so that 16·focal·x/z can be computed in 64 bits.
     const std::uint64_t greatest = absolute(point.x) | absolute(point.y) | absolute(point.z);
     const int shift = 36 - leading_zeros_64(greatest | 1);
     const auto normal = [shift](std::int64_t v) { return shift_rounded(v, shift); };
@@ -85,14 +85,14 @@ std::uint8_t PointProjection::viewport_codes(std::int64_t x, std::int64_t y) con
 
 std::uint32_t PointProjection::depth_at(std::int64_t z) const {
   const std::uint64_t greatest = (std::uint64_t{1} << depth_bits_) - 1;
-  std::uint64_t share;  // of the depth range, Q31
+  std::uint64_t share;  // position in the depth range, Q31 in [0, 1]
   const auto above_near = static_cast<std::uint64_t>(std::max<std::int64_t>(0, z - near_));
   if (projection_ == Projection::orthographic) {
     const auto range = static_cast<std::uint64_t>(std::max<std::int64_t>(1, far_ - near_));
     const int shift = std::max(0, 33 - leading_zeros_64(range | above_near));
     share = ((above_near >> shift) << 31) / std::max<std::uint64_t>(1, range >> shift);
   } else {
-    // (z − n)/z · f/(f − n); the first factor in Q31 of numbers of 32 bits.
+    // The share is (z − n)/z · f/(f − n). The first factor is computed in Q31 from z and z − n shortened to 32 bits.
     const int shift = std::max(0, 32 - leading_zeros_64(static_cast<std::uint64_t>(z)));
     const std::uint64_t part =
         ((above_near >> shift) << 31) / std::max<std::uint64_t>(1, static_cast<std::uint64_t>(z) >> shift);

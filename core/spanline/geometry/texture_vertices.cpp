@@ -19,7 +19,7 @@ std::uint32_t normalised(std::int64_t value, int& zeros) {
   return static_cast<std::uint32_t>((positive << zeros) >> 32);
 }
 
-/// One row of the texture matrix on coordinates of the mesh.
+/// One row of the texture matrix, applied to texture coordinates of the mesh.
 struct MatrixRow {
   std::int64_t s, t, one;
   int shift;
@@ -46,7 +46,7 @@ std::uint32_t Nearness::operator()(std::int64_t z) const {
   if (!perspective_) return nearest_of_all;
   int zeros;
   const std::uint32_t distance = normalised(z, zeros);
-  const int shift = nearest_zeros_ - zeros;  // the distance has so many bits more
+  const int shift = nearest_zeros_ - zeros;  // bits that the distance has more than the nearest one
   if (shift < 0) return nearest_of_all;
   if (shift > 31) return 1;
   // nearest/distance · 2^30 in (2^29, 2^31]
@@ -75,7 +75,7 @@ void make_sphere_map_vertices(const ViewTransform& transform, const Rotation& no
   const auto product = [](std::int64_t a, std::int32_t b) { return (a * b) >> 30; };
   for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
     const ViewPoint point = view_point(transform, mesh, i);
-    // x to the right, y up, z towards the viewer.
+    // In the axes of view: x to the right, y up, z towards the viewer.
     const Direction sight = projection == Projection::perspective
                                 ? direction_and_length(point.x, point.y, -point.z).direction
                                 : Direction{{}, {}, -Q2_30::from_int(1)};
@@ -99,7 +99,7 @@ void make_sphere_map_vertices(const ViewTransform& transform, const Rotation& no
 
 void make_volume_vertices(const ViewTransform& transform, const Nearness& nearness, const Mesh& mesh,
                           const Volume& volume, TextureVertex* out, std::int32_t* third) {
-  // Steps · scale have 16 fraction bits, coordinates 20; what lies beyond their range wraps.
+  // Steps · scale have 16 fraction bits, texture coordinates have 20. Coordinates beyond the range of 32 bits wrap.
   const int shift = 16 - TextureUnits::fraction_bits - mesh.step_exponent - volume.exponent;
   const auto coordinate = [&](std::int32_t steps, std::int32_t offset, Q16_16 origin) {
     const std::int64_t product = (static_cast<std::int64_t>(steps) + offset) * volume.scale.raw();

@@ -8,14 +8,15 @@
 
 namespace spanline {
 
-/// Room for vertices, with their shades and textures, that clipping makes, behind those of the instance.
+/// The vertices of an instance, with their shades and texture coordinates, followed by room for those that clipping
+/// makes.
 struct VertexStore {
-  std::span<ScreenVertex> vertices;   ///< of the instance: its own come first
+  std::span<ScreenVertex> vertices;   ///< the instance's own vertices first, then those made by clipping
   std::span<std::uint32_t> shades;    ///< parallel to `vertices`, or empty
   std::span<TextureVertex> textures;  ///< parallel to `vertices`, or empty
   std::span<std::int32_t> thirds;     ///< third texture coordinates, parallel to `textures`, or empty
-  Link count = 0;                     ///< in use
-  std::uint32_t wanted_vertices = 0;  ///< that did not fit
+  Link count = 0;                     ///< number of vertices in use
+  std::uint32_t wanted_vertices = 0;  ///< number of vertices that found no room
 };
 
 }  // namespace spanline

@@ -10,26 +10,27 @@
 
 namespace spanline {
 
-/// Model space straight to screen in 32-bit products, for 16-bit meshes that lie within the depth range and the guard
-/// band, seen in perspective: one table reciprocal a vertex, no divide. Error on screen
-/// below 1/32 pixel beside the rounding to sixteenths; depth within 2.5 units at 24 bits (tested).
+/// Transforms vertices from model space directly to the screen, for 16-bit meshes in perspective that lie within the
+/// depth range and the guard band. It takes 32-bit products and one table reciprocal a vertex, and no division. The
+/// error on screen is below 1/32 pixel, besides the rounding to sixteenths; depth is within 2.5 units at 24 bits
+/// (tested).
 class VertexTransform {
  public:
-  /// Whether the instance can be taken: at its farthest at most 4 times as far away as at its nearest, and a far/(far −
-  /// near) below 4.
+  /// Whether this class can transform the instance. Conditions are that its farthest distance is at most 4 times its
+  /// nearest, and far/(far − near) is below 4, with limits of position and scale that keep the errors small.
   [[nodiscard]] static bool takes(const FrameView& view, const ViewTransform& transform, const Mesh& mesh,
                                   Placement placement);
 
   VertexTransform(const FrameView& view, const ViewTransform& transform);
 
-  /// Transforms all vertices; `with_outcodes` where the instance may leave the viewport.
+  /// Transforms all vertices. `with_outcodes` says that the instance may leave the viewport.
   void run(std::span<const Vertex16> vertices, ScreenVertex* out, bool with_outcodes) const;
 
  private:
   VertexConstants constants_;
 };
 
-/// All vertices by way of view space: any mesh, any placement.
+/// Transforms all vertices of any mesh with any placement, by way of view space.
 void transform_wide(const ViewTransform& transform, const PointProjection& projection, const Mesh& mesh,
                     ScreenVertex* out);
 

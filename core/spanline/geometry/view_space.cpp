@@ -9,16 +9,16 @@ namespace spanline {
 namespace {
 
 constexpr int view_bits = 43;        // |view coordinate| < 2^43 for anything inside the far plane
-constexpr int entry_bits = 30;       // of matrix entries
+constexpr int entry_bits = 30;       // bits of matrix entries
 constexpr int largest_guard = 18;    // translation·2^guard stays below 2^62
-constexpr int world_fraction = 46;   // of translations: Q30 rotation · Q16.16 position
-constexpr int linear_fraction = 54;  // of linear entries: Q30 rotation · Q8.24 scale
+constexpr int world_fraction = 46;   // fraction bits of translations: Q30 rotation · Q16.16 position
+constexpr int linear_fraction = 54;  // fraction bits of linear entries: Q30 rotation · Q8.24 scale
 
 std::uint64_t absolute(std::int64_t value) {
   return value < 0 ? 0 - static_cast<std::uint64_t>(value) : static_cast<std::uint64_t>(value);
 }
 
-/// Bits that hold every value up to `value`: 0 for 0.
+/// Number of bits of `value` without leading zeros; 0 for 0.
 int bit_count(std::uint64_t value) { return value == 0 ? 0 : 64 - leading_zeros_64(value); }
 
 std::int64_t dot_wide(const Direction& row, std::int64_t x, std::int64_t y, std::int64_t z) {
@@ -41,7 +41,7 @@ ViewTransform::ViewTransform(const FrameView& view, const Mesh& mesh, const Tran
   std::int64_t position[3];   // world units · 2^46
   std::uint64_t greatest_linear = 0, greatest_position = 0;
   for (int i = 0; i < 3; ++i) {
-    // The third view axis points backwards; distance counts forwards.
+    // The third view axis points backwards, but z is the distance forwards.
     const std::int64_t sign = i == 2 ? -1 : 1;
     const Direction& row = rotation.row[i];
     linear[i][0] = sign * row.x.raw() * transform.scale.raw();
@@ -52,7 +52,8 @@ ViewTransform::ViewTransform(const FrameView& view, const Mesh& mesh, const Tran
     greatest_position = std::max(greatest_position, absolute(position[i]));
   }
 
-  // The reach of the view: far plane, or as far as the instance may lie. Steps: |vertex + offset| + radius, three axes.
+  // The reach of the view is the far plane, or the greatest distance of the instance if that is larger. `steps` is a
+  // bound of |vertex + offset| over all three axes.
   const std::uint64_t steps = static_cast<std::uint64_t>(magnitude(mesh.offset.x)) + magnitude(mesh.offset.y) +
                               magnitude(mesh.offset.z) + magnitude(mesh.bounds.centre.x) +
                               magnitude(mesh.bounds.centre.y) + magnitude(mesh.bounds.centre.z) + mesh.bounds.radius;
@@ -62,7 +63,8 @@ ViewTransform::ViewTransform(const FrameView& view, const Mesh& mesh, const Tran
   const int reach_log2 = std::max({instance_log2, position_log2, far_log2}) + 1;
   exponent_ = view_bits - reach_log2;
 
-  const int entry_shift = linear_fraction - mesh.step_exponent - exponent_;  // linear → view units a step
+  const int entry_shift =
+      linear_fraction - mesh.step_exponent - exponent_;  // right shift from linear entries to view units a step
   guard_ = std::min(largest_guard, entry_bits - (bit_count(greatest_linear) - entry_shift));
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
@@ -77,7 +79,7 @@ ViewTransform::ViewTransform(const FrameView& view, const Mesh& mesh, const Tran
   near_ = from_world(camera.near_plane);
   far_ = from_world(camera.far_plane);
   centre_ = (*this)(mesh.bounds.centre.x, mesh.bounds.centre.y, mesh.bounds.centre.z);
-  // radius · scale · 2^step, rounded up by the error of the matrix as well
+  // radius · scale · 2^step_exponent in view units, increased by the errors of rounding and of the matrix
   const std::int64_t scale_linear = transform.scale.raw();  // Q24
   const int radius_shift = 24 - mesh.step_exponent - exponent_;
   const std::int64_t product = static_cast<std::int64_t>(mesh.bounds.radius) * scale_linear;
@@ -87,14 +89,15 @@ ViewTransform::ViewTransform(const FrameView& view, const Mesh& mesh, const Tran
 
 namespace {
 
-/// Where a sphere lies to one side of the frustum: value ≥ reach is inside, value ≤ −reach outside.
+/// The position of a sphere relative to a side plane of the frustum: inside if value ≥ reach, outside if value ≤
+/// −reach.
 struct SideTest {
   std::int64_t value;
   std::int64_t reach;
 };
 
 /// The plane focal·coordinate + half·depth = 0 through the eye and a side of the picture. Focal length and half the
-/// picture's size are in 1/65536 pixel: a focal length of few bits would call instances inside that are not.
+/// picture's size are in 1/65536 pixel. With a coarser focal length, instances outside would be classified as inside.
 class SidePlane {
  public:
   SidePlane(std::int64_t focal, std::int64_t half)
@@ -108,7 +111,7 @@ class SidePlane {
   std::int64_t focal_, half_, norm_;  ///< below 2^31, 2^26, 2^32
 };
 
-/// Whether the sphere's projection stays within the guard band, with a little to spare.
+/// Whether the sphere's projection stays inside the guard band, with a margin of 8 pixels.
 bool within_guard_band(std::int64_t coordinate, std::int64_t nearest, std::int64_t radius, std::int64_t focal_raw,
                        std::int64_t half_pixels) {
   const std::int64_t spare_pixels = ScreenVertex::guard_pixels - 8 - half_pixels;
@@ -119,7 +122,8 @@ bool within_guard_band(std::int64_t coordinate, std::int64_t nearest, std::int64
 Placement place_orthographic(const FrameView& view, const ViewTransform& t) {
   const ViewPoint c = t.sphere_centre();
   const std::int64_t r = t.sphere_radius();
-  // Half the view in view units: (size / 2 pixels) / (pixels a world unit); beyond 2^61 everything is in view.
+  // Half the size of the view in view units: (size / 2 pixels) / (pixels a world unit). It is limited to 2^61, where
+  // everything is in view.
   const auto half = [&](std::int32_t pixels) {
     const std::int64_t world_q16 = (static_cast<std::int64_t>(pixels) << 31) / view.camera.focal.raw();
     const int shift = 16 - t.exponent();
