@@ -8,6 +8,7 @@ explain, and on functions whose frame nobody knows.
 import argparse
 import pathlib
 import re
+import subprocess
 import sys
 from dataclasses import dataclass, field
 
@@ -74,10 +75,37 @@ def one_constructor(functions):
     return functions
 
 
+def plain_name(title):
+    """A function's name without its class, templates and parameters, from its mangled one."""
+    mangled = re.sub(r"\.part\.\d+$", "", title.rpartition(":")[2])
+    text = subprocess.run(["c++filt", mangled], check=True, capture_output=True, text=True).stdout.strip()
+    depth, name = 0, ""
+    for letter in text:
+        if letter == "(" and depth == 0:
+            break
+        depth += (letter == "<") - (letter == ">")
+        name = name + letter if depth == 0 and (letter.isalnum() or letter == "_") else ""
+    return name
+
+
+def folded_parts(functions):
+    """gcc splits functions (`.part.0`), emits identical parts of a template's instances once, and names any of them where
+    it calls one: such a part is at most the deepest of its name in its file. The known ones for each that is unknown."""
+    parts = [title for title in functions if re.search(r"\.part\.\d+$", title)]
+    unknown = [title for title in parts if functions[title].frame is None]
+    if not unknown:
+        return {}
+    keys = {title: (title.rpartition(":")[0], plain_name(title)) for title in parts}
+    known = [title for title in parts if functions[title].frame is not None]
+    found = {title: [other for other in known if keys[other] == keys[title]] for title in unknown}
+    return {title: others for title, others in found.items() if others}
+
+
 class Bound:
     def __init__(self, functions, indirect):
         self.functions = functions
         self.indirect = indirect
+        self.folded = folded_parts(functions)
         self.known = {}
         self.path = []
 
@@ -103,6 +131,8 @@ class Bound:
             raise Failure(f"recursion: {' > '.join(self.functions[t].name for t in [*self.path, title])}")
         function = self.functions[title]
         if function.frame is None:
+            if title in self.folded:
+                return max((self.deepest(twin) for twin in self.folded[title]), key=lambda b: b[0])
             if title not in LIBGCC:
                 raise Failure(f"nobody knows the frame of {title}, called by {self.functions[self.path[-1]].name}")
             return LIBGCC[title], [(title, LIBGCC[title])]
