@@ -11,7 +11,8 @@
 ///                   const Mesh& mesh) {
 ///   if (const Status begun = picture.begin(settings); !begun.ok()) return begun;
 ///   if (const Status added = picture.add(mesh, {}, {}); !added.ok()) return added;
-///   partner.take_frame();  // and now the other core is told to draw
+///   if (const Status taken = partner.take_frame(); !taken.ok()) return taken;
+///   // Now the other core is told to draw.
 ///   return picture.draw_even([](const auto& band) { return send(band.y0, band.y1, band.pixels); });
 /// }
 /// Status second_core(BandPartner<Traits>& partner) {
