@@ -97,7 +97,7 @@ struct SideTest {
 };
 
 /// The plane focal·coordinate + half·depth = 0 through the eye and a side of the picture. Focal length and half the
-/// picture's size are in 1/65536 pixel. With a coarser focal length, instances outside would be classified as inside.
+/// picture's size are in 1/65536 pixel. With fewer bits, instances that leave the view could be classified as inside.
 class SidePlane {
  public:
   SidePlane(std::int64_t focal, std::int64_t half)
