@@ -26,7 +26,7 @@ class PointProjection {
 
  private:
   struct Sixteenths {
-    std::int64_t x, y;
+    std::int64_t x, y;  ///< screen position, not biased, sixteenths of a pixel
   };
   [[nodiscard]] Sixteenths to_screen(const ViewPoint& point) const;
   [[nodiscard]] std::uint8_t viewport_codes(std::int64_t x, std::int64_t y) const;
@@ -34,8 +34,7 @@ class PointProjection {
   Projection projection_ = Projection::perspective;
   std::int64_t near_ = 0, far_ = 1;  ///< distances of the planes, view units
   std::int32_t focal_raw_ = 0;       ///< Q16.16
-  int exponent_shift_ =
-      0;  ///< right shift from view units · focal_raw_ to sixteenths of a pixel, for orthographic views
+  int exponent_shift_ = 0;           ///< orthographic: right shift, view units · focal_raw_ → sixteenths of a pixel
   std::int32_t width_ = 0, height_ = 0;       ///< size of the viewport, sixteenths of a pixel
   std::uint32_t ratio_ = 0;                   ///< mantissa of far / (far − near), in [2^31, 2^32)
   int ratio_shift_ = 0;                       ///< the ratio is ratio_ / 2^ratio_shift_

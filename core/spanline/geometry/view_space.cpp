@@ -63,8 +63,7 @@ ViewTransform::ViewTransform(const FrameView& view, const Mesh& mesh, const Tran
   const int reach_log2 = std::max({instance_log2, position_log2, far_log2}) + 1;
   exponent_ = view_bits - reach_log2;
 
-  const int entry_shift =
-      linear_fraction - mesh.step_exponent - exponent_;  // right shift from linear entries to view units a step
+  const int entry_shift = linear_fraction - mesh.step_exponent - exponent_;  // right shift: linear → view units a step
   guard_ = std::min(largest_guard, entry_bits - (bit_count(greatest_linear) - entry_shift));
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {

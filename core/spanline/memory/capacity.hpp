@@ -22,16 +22,16 @@ struct Capacity {
   std::uint16_t band_lines = 16;  ///< lines drawn at a time, 1 … height; all of them make a full-frame z-buffer
   std::uint8_t colour_bands = 2;  ///< 1 … 16; with 2, one band is drawn while another is sent to the display
   std::uint8_t depth_bands = 1;   ///< 1 or 2; 2 if the sink clears a band's memory while the band above is drawn
-  std::uint32_t instances = 1;    ///< meshes in view
+  std::uint32_t instances = 1;    ///< instances in view
   std::uint32_t vertices = 0;     ///< vertices of all instances in view, and those that clipping adds
   std::uint32_t shades = 0;       ///< vertices of instances with Gouraud shading, and those that clipping adds
   std::uint32_t textures = 0;     ///< vertices of textured instances, and those that clipping adds
-  std::uint32_t polygons = 0;     ///< triangles that face the eye
+  std::uint32_t polygons = 0;     ///< triangles in view that are not culled
   std::uint32_t fans = 0;         ///< polygons among these that are pieces of clipped triangles or of larger polygons
   std::uint32_t active = 0;       ///< z-buffers: polygons that reach across a band's lower edge; 0 for a single band
-  std::uint32_t awake = 0;        ///< `span`: polygons that are awake on the same row; 32-bit cores number 287 to 744,
-                                  ///< by the list of shaders (docs/visibility.md; Renderer::takes)
-  std::uint32_t fragments = 0;    ///< z-buffers with see-through shaders: blended fragments of one band
+  std::uint32_t awake = 0;  ///< `span`: polygons that are awake on the same row; on 32-bit cores the limit is 287 to
+                            ///< 744, which depends on the list of shaders (docs/visibility.md; Renderer::takes)
+  std::uint32_t fragments = 0;  ///< z-buffers with see-through shaders: blended fragments of one band
   std::uint32_t layers = 0;  ///< `span` with see-through shaders: see-through polygons that are awake on the same row
 
   /// The number of bands in a picture.

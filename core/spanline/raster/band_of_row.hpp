@@ -22,7 +22,7 @@ class BandOfRow {
   }
 
  private:
-  std::uint32_t inverse_ = 1u << 21;
+  std::uint32_t inverse_ = 1u << 21;  ///< 2^shift_ / lines, rounded up; at most 2^21
   int shift_ = 21;
 };
 

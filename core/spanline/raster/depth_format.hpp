@@ -15,8 +15,8 @@ enum class DepthSense : std::uint8_t { smaller_is_nearer, larger_is_nearer };
 template <int Bits, class StoredWord, DepthSense DepthOrder>
 struct DepthFormat {
   using Word = StoredWord;
-  static constexpr int bits = Bits;
-  static constexpr int guard_bits = 32 - Bits;
+  static constexpr int bits = Bits;             ///< bits of a vertex depth, 16 or 24
+  static constexpr int guard_bits = 32 - Bits;  ///< fraction bits of a plane word
   static constexpr DepthSense sense = DepthOrder;
   static constexpr bool smaller = sense == DepthSense::smaller_is_nearer;
   static constexpr int stored_shift = 32 - static_cast<int>(sizeof(Word)) * 8;  ///< plane word → stored word
@@ -38,7 +38,7 @@ struct DepthFormat {
     return smaller ? candidate < kept : candidate > kept;
   }
 
-  /// The depth integer of a stored word, as --depth-out shows it: guard bits dropped.
+  /// The depth integer of a stored word without guard bits, as --depth-out shows it.
   static constexpr std::uint32_t integer(Word kept) {
     return sizeof(Word) == 4 ? static_cast<std::uint32_t>(kept) >> guard_bits : kept;
   }

@@ -47,7 +47,7 @@ class Gradients {
   [[nodiscard]] bool fast_slope(std::int32_t numerator, int guard_bits, std::int32_t& slope) const;
 
   const Triangle& triangle_;
-  std::int64_t area_;
+  std::int64_t area_;          ///< twice the area, square sixteenths of a pixel
   std::uint32_t inverse_ = 0;  ///< 2^62 / (area normalised to 32 bits)
   int normalising_shift_ = 0;  ///< area·2^shift is in [2^31, 2^32); 0 where the exact divisions are used
   bool narrow_ = false;        ///< whether numerators of 16-bit values fit 32 bits

@@ -13,8 +13,8 @@ namespace spanline {
 /// those of the picture, not biased, in [0, 2047]. A line that cuts a polygon gives two fragments. Both use the same a,
 /// b, c, so every pixel of the polygon belongs to exactly one of them.
 struct HalfPlane {
-  std::int32_t a = 0;  ///< |a| + |b| ≤ 2^19, so that no value inside the picture leaves 32 bits
-  std::int32_t b = 0;
+  std::int32_t a = 0;  ///< increment from column to column; |a| + |b| ≤ 2^19, so that values in the picture fit 32 bits
+  std::int32_t b = 0;  ///< increment of the value from row to row
   std::int32_t c = 0;  ///< |c| < 2^30
 
   /// The half-plane of a line whose coefficients may be too large. All three are shifted to the right until they fit,
@@ -30,6 +30,7 @@ struct HalfPlane {
     return {static_cast<std::int32_t>(a), static_cast<std::int32_t>(b), static_cast<std::int32_t>(c)};
   }
 
+  /// The value at a pixel.
   [[nodiscard]] constexpr std::int32_t at(std::int32_t column, std::int32_t row) const {
     return a * column + b * row + c;
   }

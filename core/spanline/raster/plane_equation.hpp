@@ -98,9 +98,9 @@ class PlaneEquation {
 
   Triangle triangle_;
   const ScreenVertex* first_vertex_;
-  std::int64_t area_;
+  std::int64_t area_;  ///< twice the area, square sixteenths of a pixel
   Viewport viewport_;
-  bool small_;
+  bool small_;  ///< whether the set-up of small triangles applies
 };
 
 }  // namespace spanline

@@ -33,13 +33,12 @@ struct FanTriangle {
 /// Polygons that share a vertex array: an instance of a mesh, or triangles given in screen coordinates.
 struct PolygonGroup {
   const ScreenVertex* vertices = nullptr;
-  const std::uint16_t* indices =
-      nullptr;                 ///< three for each triangle; if null, triangle i has vertices 3i, 3i + 1, 3i + 2
-  Link first = 0;              ///< number of its first polygon
-  std::uint32_t first_id = 0;  ///< id of its triangle 0
-  bool scissored = false;      ///< whether a polygon may leave the viewport
-  bool see_through = false;    ///< whether pixels behind a polygon may be visible through it
-  bool has_holes = false;      ///< whether a texture cuts holes into its polygons
+  const std::uint16_t* indices = nullptr;  ///< three a triangle; if null, triangle i has vertices 3i to 3i + 2
+  Link first = 0;                          ///< number of its first polygon
+  std::uint32_t first_id = 0;              ///< id of its triangle 0
+  bool scissored = false;                  ///< whether a polygon may leave the viewport
+  bool see_through = false;                ///< whether pixels behind a polygon may be visible through it
+  bool has_holes = false;                  ///< whether a texture cuts holes into its polygons
 };
 
 /// The cuts of a fragment of a polygon. Its pixels are those inside the polygon's edges that lie on the given side of
@@ -62,9 +61,9 @@ class PolygonTable {
   std::span<PolygonCuts> fragments;  ///< parallel to `references`
   std::span<const Link> cuts;        ///< index in `half_planes` · 2, plus 1 for the side where the value is negative
   std::span<const HalfPlane> half_planes;  ///< lines that several fragments share
-  Link polygon_count = 0;
-  Link fan_count = 0;
-  Link group_count = 0;
+  Link polygon_count = 0;                  ///< entries of `references` in use
+  Link fan_count = 0;                      ///< entries of `fans` in use
+  Link group_count = 0;                    ///< entries of `groups` in use
 
   void clear() {
     polygon_count = fan_count = group_count = 0;
@@ -164,7 +163,7 @@ class BucketCursor {
         polygon_(last_ == no_link ? no_link : references_[last_].next) {}
   /// The current polygon, or no_link at the end.
   [[nodiscard]] Link polygon() const { return polygon_; }
-  /// Moves on, and gives the polygon there.
+  /// Moves to the next polygon and returns it; no_link at the end.
   Link next() { return polygon_ = polygon_ == last_ ? no_link : references_[polygon_].next; }
 
  private:

@@ -97,8 +97,8 @@ class Gradients {
 #endif
   }
 
-  int shift_;
-  std::int32_t inverse_;
+  int shift_;             ///< leading zeros of the area within 16 bits
+  std::int32_t inverse_;  ///< 2^31 / (area · 2^shift_), in [32768, 65536]
 };
 
 /// Sets up the two edges from the top vertex and the third edge of a triangle that `fits`. `row_offset` is the distance

@@ -56,7 +56,7 @@ struct AwakePolygon {
 
 /// The input from which polygons are woken and turned.
 struct PolygonSource {
-  PolygonTable& table;  ///< has buckets of one row, which waking and sleeping change
+  PolygonTable& table;  ///< with buckets of one row each, which waking and sleeping change
   Viewport viewport;
 
   [[nodiscard]] PolygonCorners corners(const AwakePolygon& polygon) const {

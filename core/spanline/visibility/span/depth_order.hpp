@@ -52,7 +52,7 @@ class DepthOrder {
 
  private:
   const PolygonSource& source_;
-  std::int32_t row_ = 0;
+  std::int32_t row_ = 0;  ///< row of the picture on which polygons are compared, not biased
   VisibilityCounters* counters_;
 };
 

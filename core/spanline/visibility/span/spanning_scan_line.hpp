@@ -84,7 +84,8 @@ class SpanningScanLine {
     }
   };
 
-  /// Polygons, and layers, that can be awake on a row: keys address their records.
+  /// The greatest number of polygons, and of layers, that can be awake on a row: that of the records that keys can
+  /// address.
   static constexpr auto most_awake =
       static_cast<std::uint32_t>(std::min<std::size_t>(awake_key::largest_offset / sizeof(Entry), ~std::uint32_t{0}));
   /// Whether keys can address the records of that many awake polygons.

@@ -43,9 +43,8 @@ class DeferredDepthBuffer {
   using Target = BandTarget<Depth, Pixel>;
   static constexpr AlgorithmNeeds needs = AlgorithmNeeds::screen_polygons;
   static constexpr bool keeps_depth = true, tests_depth = true, takes_table_apart = false;
-  static constexpr bool clears_ahead = false;  // there is only one item buffer
-  static constexpr std::string_view counter_names[] = {
-      "shaded"};  ///< pixels that were shaded, including the background
+  static constexpr bool clears_ahead = false;                      // there is only one item buffer
+  static constexpr std::string_view counter_names[] = {"shaded"};  ///< pixels shaded, background included
 
   struct Memory {
     typename Items::Memory depth_buffer;
