@@ -14,6 +14,7 @@
 #include "spanline/memory/capacity.hpp"
 #include "spanline/memory/pool_peaks.hpp"
 #include "spanline/raster/link.hpp"
+#include "spanline/world/world.hpp"
 
 namespace spanline {
 
@@ -21,8 +22,10 @@ namespace spanline {
 template <class Traits>
 struct FramePools {
   using Set = ShaderSet<Traits>;  ///< what the list of shaders asks for
+  static constexpr bool needs_world = BandDrawer<Traits>::Visibility::needs == AlgorithmNeeds::world;
 
   std::span<PolygonGroup> groups;             ///< one an instance, for visibility
+  std::span<PlacedInstance> placed;           ///< one an instance, where the algorithm needs the world
   std::span<ShadingGroup> shading;            ///< one an instance, for shaders
   std::span<std::uint16_t> ramps;             ///< gouraud::ramp_size pixels an instance, for smooth shading
   std::span<ScreenVertex> vertices;           ///< of all instances, and what clipping adds
@@ -55,6 +58,7 @@ struct FramePools {
   /// Cuts them out of an arena.
   constexpr void take(Arena& arena, const Capacity& c) {
     groups = arena.take<PolygonGroup>(c.instances);
+    placed = arena.take<PlacedInstance>(needs_world ? c.instances : 0);
     shading = arena.take<ShadingGroup>(c.instances);
     ramps = arena.take<std::uint16_t>(Set::has_ramps ? c.instances * gouraud::ramp_size : 0);
     vertices = arena.take<ScreenVertex>(c.vertices);
@@ -145,10 +149,10 @@ struct FramePools {
   /// Bytes of them that a frame's table and vertices take.
   [[nodiscard]] PoolPeaks taken(const PolygonTable& table) const {
     PoolPeaks peaks;
-    peaks.instances =
-        table.group_count *
-        (sizeof(PolygonGroup) + sizeof(ShadingGroup) + (Set::has_ramps ? gouraud::ramp_size * 2 : 0) +
-         (Set::has_local_light ? sizeof(LocalLighting) : 0) + (Set::has_pixelwise ? sizeof(PixelwiseGroup) : 0));
+    peaks.instances = table.group_count * (sizeof(PolygonGroup) + (needs_world ? sizeof(PlacedInstance) : 0) +
+                                           sizeof(ShadingGroup) + (Set::has_ramps ? gouraud::ramp_size * 2 : 0) +
+                                           (Set::has_local_light ? sizeof(LocalLighting) : 0) +
+                                           (Set::has_pixelwise ? sizeof(PixelwiseGroup) : 0));
     peaks.vertices = used.vertices * sizeof(ScreenVertex);
     peaks.shades = used.shades * sizeof(std::uint32_t);
     peaks.textures = used.textures * (sizeof(TextureVertex) + (Set::has_volumes ? sizeof(std::int32_t) : 0)) +

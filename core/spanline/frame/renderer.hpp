@@ -35,9 +35,11 @@
 #include "spanline/memory/arena.hpp"
 #include "spanline/memory/capacity.hpp"
 #include "spanline/model/cull.hpp"
+#include "spanline/model/polygon_range.hpp"
 #include "spanline/raster/band_of_row.hpp"
 #include "spanline/raster/link.hpp"
 #include "spanline/visibility/counters.hpp"
+#include "spanline/world/submission_order.hpp"
 
 namespace spanline {
 
@@ -136,21 +138,53 @@ class Renderer {
   /// and the status names the pool and the size that the frame has wanted so far.
   Status add(const Mesh& mesh, const Transform& transform, const Material& material) {
     if (!frame_.ok()) return frame_;
-    const std::uint32_t first_id = number_triangles(mesh.triangle_count());
-    const InstancePlan plan = plan_instance<Traits>(mesh, material, needs_, !Visibility::tests_depth);
-    if (plan.missing != MissingShader::none) return plan.missing;
-    const InstanceGeometry geometry(view_, mesh, transform);
-    if (geometry.placement() == Placement::outside) return leave_outside(mesh);
-    if (const Status room = pools_.reserve(table_.group_count, mesh, plan); !room.ok()) return room;
+    return place(mesh, transform, material, number_triangles(mesh.triangle_count()),
+                 [&](auto assemble) { assemble(PolygonRange::whole(mesh)); });
+  }
 
-    VertexStore store = pools_.open_store(mesh, plan);
-    const Link number = open_group(plan, material, first_id);
-    PolygonGroup& group = table_.groups[number];
-    group.vertices = store.vertices.data();
-    group.indices = mesh.indices.data();
-    group.scissored = geometry.placement() != Placement::inside;
-    surfaces_.make(mesh, transform, material, plan, view_.camera, number, store, pools_);
-    return assemble(mesh, transform, material, plan, geometry, group, store);
+  /// Adds instances, or parts of them, as an order hands them over (world/submission_order.hpp). Triangles are numbered
+  /// as the list of instances has them, whatever the order. What finds no room is left out and the rest is added; the
+  /// status is that of the first one that did not fit, or `bad_order` for an instance or polygons that do not exist.
+  template <SubmissionOrder Order>
+  Status add_in_order(Order&& order, std::span<const OrderedInstance> instances) {
+    if (!frame_.ok()) return frame_;
+    const std::uint32_t first_id = pools_.used.ids;
+    Status first_fault;
+    Submission next;
+    for (bool more = order.next(next); more;) {
+      const std::uint32_t number = next.instance;
+      Status status = Fault::bad_order;
+      bool taken = false;  // whether the submissions of this instance were gone through
+      if (number < instances.size()) {
+        const OrderedInstance& instance = instances[number];
+        std::uint32_t id = first_id;
+        for (const OrderedInstance& before : instances.first(number))
+          id += static_cast<std::uint32_t>(before.mesh->triangle_count());
+        bool exist = true;
+        status = place(*instance.mesh, instance.transform, instance.material, id, [&](auto assemble) {
+          const PolygonRange whole = PolygonRange::whole(*instance.mesh);
+          taken = true;
+          do {
+            const PolygonRange part = next.whole ? whole : next.polygons;
+            const bool exists = part.first <= whole.count && part.count <= whole.count - part.first;
+            if (exists) assemble(part);
+            exist = exist && exists;
+            more = order.next(next);
+          } while (more && next.instance == number);
+        });
+        if (!exist) status = Fault::bad_order;
+      }
+      while (more && !taken) {
+        more = order.next(next);
+        if (more && next.instance != number) break;
+      }
+      // Behind the first fault, the same pool may want more.
+      const bool wants_more = status.fault == Fault::pool_full && status.pool == first_fault.pool;
+      if (first_fault.ok() || wants_more) first_fault = status;
+    }
+    pools_.used.ids = first_id;
+    for (const OrderedInstance& instance : instances) number_triangles(instance.mesh->triangle_count());
+    return first_fault;
   }
 
   /// Adds triangles that are on screen already: corners three by three (outcodes set where they leave the viewport),
@@ -165,6 +199,7 @@ class Renderer {
   Status add_screen(std::span<const ScreenVertex> vertices, std::span<const std::uint16_t> colours,
                     const Material& material) {
     if (!frame_.ok()) return frame_;
+    if (needs_world) return Fault::no_world;
     if (vertices.size() / 3 >= fan_flag) return Fault::too_many_triangles;
     const std::uint32_t first_id = number_triangles(vertices.size() / 3);
     const InstancePlan plan = plan_screen_triangles<Traits>(material);
@@ -249,17 +284,21 @@ class Renderer {
  private:
   friend class BandPartner<Traits>;
   struct NoCounters {};
+  struct NoWorld {};
   using Counters = std::conditional_t<Traits::statistics, VisibilityCounters, NoCounters>;
   using Visibility = typename BandDrawer<Traits>::Visibility;
   using Set = ShaderSet<Traits>;
+  static constexpr bool needs_world = Visibility::needs == AlgorithmNeeds::world;
 
   [[nodiscard]] Viewport viewport() const { return {capacity().width, capacity().height}; }
   [[nodiscard]] BandScene<Pixel> scene() { return scene(table_, counters_); }
   [[nodiscard]] BandScene<Pixel> scene(PolygonTable& table, Counters& counters) const {
-    if constexpr (Traits::statistics)
-      return {table, pools_.shading, background_, &counters, nullptr};
-    else
-      return {table, pools_.shading, background_, nullptr, nullptr};
+    BandScene<Pixel> scene{table, pools_.shading, background_, nullptr, nullptr};
+    if constexpr (Traits::statistics) scene.counters = &counters;
+    if constexpr (needs_world) {
+      scene.world = &world_;
+    }
+    return scene;
   }
   template <class Sink>
   Status draw_share(BandShare share, Sink& sink) {
@@ -278,10 +317,13 @@ class Renderer {
     pools_.used.ids += static_cast<std::uint32_t>(count);
     return first_id;
   }
-  Status leave_outside(const Mesh& mesh) {
-    const auto count = static_cast<std::uint32_t>(mesh.triangle_count());
-    counts_.total += count;
-    counts_.outside += count;
+  template <class Parts>
+  Status leave_outside(const Mesh& mesh, Parts parts) {
+    parts([&](const PolygonRange& range) {
+      const std::uint32_t count = range.triangle_count(mesh);
+      counts_.total += count;
+      counts_.outside += count;
+    });
     return {};
   }
   /// A group as planned, for which there is room: its geometry and its light are still to come.
@@ -296,9 +338,35 @@ class Renderer {
     return number;
   }
 
+  /// Puts an instance on the screen, and those of its polygons into the table that `parts(assemble)` calls
+  /// assemble(range) for. Where there is nothing to assemble, `parts` is not called.
+  template <class Parts>
+  Status place(const Mesh& mesh, const Transform& transform, const Material& material, std::uint32_t first_id,
+               Parts parts) {
+    const InstancePlan plan = plan_instance<Traits>(mesh, material, needs_, !Visibility::tests_depth);
+    if (plan.missing != MissingShader::none) return plan.missing;
+    const InstanceGeometry geometry(view_, mesh, transform);
+    if (geometry.placement() == Placement::outside) return leave_outside(mesh, parts);
+    if (const Status room = pools_.reserve(table_.group_count, mesh, plan); !room.ok()) return room;
+
+    VertexStore store = pools_.open_store(mesh, plan);
+    const Link number = open_group(plan, material, first_id);
+    PolygonGroup& group = table_.groups[number];
+    group.vertices = store.vertices.data();
+    group.indices = mesh.indices.data();
+    group.scissored = geometry.placement() != Placement::inside;
+    if constexpr (needs_world) {
+      pools_.placed[number] = {&mesh, transform, number};
+      world_ = {view_.camera, pools_.placed.first(table_.group_count)};
+    }
+    surfaces_.make(mesh, transform, material, plan, view_.camera, number, store, pools_);
+    return assemble(mesh, transform, material, plan, geometry, group, store, parts);
+  }
+
+  template <class Parts>
   Status assemble(const Mesh& mesh, [[maybe_unused]] const Transform& transform,
                   [[maybe_unused]] const Material& material, const InstancePlan& plan, const InstanceGeometry& geometry,
-                  const PolygonGroup& group, VertexStore& store) {
+                  const PolygonGroup& group, VertexStore& store, Parts parts) {
     geometry.transform_vertices(store.vertices.data());
     PolygonAssembly assembly(table_, bucket_of_row_, viewport(), cull_);
     const Clipper clipper = geometry.clipper(plan.shades);
@@ -315,7 +383,8 @@ class Renderer {
         make_texture_vertices(transform, material, plan, geometry, nearness, store);
       }
     }
-    assembly.run(mesh, group.vertices, group.scissored, geometry.clip_context(clipper, store, textures));
+    const PolygonAssembly::ClipContext clip = geometry.clip_context(clipper, store, textures);
+    parts([&](const PolygonRange& range) { assembly.run(mesh, group.vertices, group.scissored, clip, range); });
     pools_.close_store(store, plan);
     return finish(assembly, store.wanted_vertices, plan);
   }
@@ -357,6 +426,7 @@ class Renderer {
   FrameView view_{};
   PolygonCounts counts_{};
   [[no_unique_address]] Counters counters_{};
+  [[no_unique_address]] std::conditional_t<needs_world, World, NoWorld> world_{};
   PoolPeaks peaks_{};
 };
 

@@ -50,6 +50,8 @@ enum class Fault : std::uint8_t {
   shader_missing,     ///< no shader of the renderer's serves a material; `missing` says what. The instance was left out
   sink_failed,        ///< the sink gave the frame up
   too_many_triangles,  ///< in one call: triangle numbers would not fit; nothing was added
+  no_world,            ///< polygons on the screen for an algorithm that works in the world; nothing was added
+  bad_order,           ///< an order of submission names an instance, or polygons, that do not exist; the rest was added
 };
 
 /// How a call went.
@@ -107,8 +109,10 @@ struct [[nodiscard]] Status {
                                    "outside the picture",
                                    "shader missing",
                                    "sink failed",
-                                   "too many triangles"};
-  static_assert(std::size(names) == static_cast<std::size_t>(Fault::too_many_triangles) + 1);
+                                   "too many triangles",
+                                   "polygons on the screen for an algorithm of the world",
+                                   "order of submission names what does not exist"};
+  static_assert(std::size(names) == static_cast<std::size_t>(Fault::bad_order) + 1);
   return names[static_cast<unsigned>(fault)];
 }
 

@@ -87,12 +87,13 @@ inline bool PolygonAssembly::take(Cull cull, const ScreenVertex& a, const Screen
 }
 
 template <bool Scissored, Cull Culled>
-void PolygonAssembly::run_triangles(const Mesh& mesh, const ScreenVertex* vertices, const ClipContext& clip) {
-  const std::uint16_t* index = mesh.indices.data();
-  const auto triangles = static_cast<std::uint32_t>(mesh.indices.size() / 3);
-  counts.total += triangles;
+void PolygonAssembly::run_triangles(const Mesh& mesh, const ScreenVertex* vertices, const ClipContext& clip,
+                                    const PolygonRange& range) {
+  const std::uint16_t* index = mesh.indices.data() + range.first_index;
+  const std::uint32_t end = range.first + range.count;
+  counts.total += range.count;
   std::uint32_t back = 0;
-  for (std::uint32_t triangle = 0; triangle < triangles; ++triangle, index += 3) {
+  for (std::uint32_t triangle = range.first; triangle < end; ++triangle, index += 3) {
     const ScreenVertex& a = vertices[index[0]];
     const ScreenVertex& b = vertices[index[1]];
     const ScreenVertex& c = vertices[index[2]];
@@ -115,22 +116,24 @@ void PolygonAssembly::run_triangles(const Mesh& mesh, const ScreenVertex* vertic
 }
 
 template <bool Scissored>
-void PolygonAssembly::run_triangles(const Mesh& mesh, const ScreenVertex* vertices, const ClipContext& clip) {
+void PolygonAssembly::run_triangles(const Mesh& mesh, const ScreenVertex* vertices, const ClipContext& clip,
+                                    const PolygonRange& range) {
   switch (cull_) {
     case Cull::back:
-      return run_triangles<Scissored, Cull::back>(mesh, vertices, clip);
+      return run_triangles<Scissored, Cull::back>(mesh, vertices, clip, range);
     case Cull::front:
-      return run_triangles<Scissored, Cull::front>(mesh, vertices, clip);
+      return run_triangles<Scissored, Cull::front>(mesh, vertices, clip, range);
     case Cull::none:
-      return run_triangles<Scissored, Cull::none>(mesh, vertices, clip);
+      return run_triangles<Scissored, Cull::none>(mesh, vertices, clip, range);
   }
 }
 
 void PolygonAssembly::run_polygons(const Mesh& mesh, const ScreenVertex* vertices, bool scissored,
-                                   const ClipContext& clip) {
-  const std::uint16_t* index = mesh.indices.data();
-  Link triangle = 0;
-  for (Link polygon = 0; polygon < mesh.corners.size(); ++polygon) {
+                                   const ClipContext& clip, const PolygonRange& range) {
+  const std::uint16_t* index = mesh.indices.data() + range.first_index;
+  auto triangle = static_cast<Link>(range.first_triangle);
+  const std::uint32_t end = range.first + range.count;
+  for (auto polygon = static_cast<Link>(range.first); polygon < end; ++polygon) {
     const unsigned corners = mesh.corners[polygon];
     for (unsigned i = 1; i + 1 < corners; ++i, ++triangle) {
       ++counts.total;
@@ -210,13 +213,14 @@ void PolygonAssembly::clip_triangle(const Mesh& mesh, const ClipContext& clip, c
   if (back && !front) ++counts.back;
 }
 
-void PolygonAssembly::run(const Mesh& mesh, const ScreenVertex* vertices, bool scissored, const ClipContext& clip) {
+void PolygonAssembly::run(const Mesh& mesh, const ScreenVertex* vertices, bool scissored, const ClipContext& clip,
+                          const PolygonRange& range) {
   if (!mesh.corners.empty())
-    run_polygons(mesh, vertices, scissored, clip);
+    run_polygons(mesh, vertices, scissored, clip, range);
   else if (scissored)
-    run_triangles<true>(mesh, vertices, clip);
+    run_triangles<true>(mesh, vertices, clip, range);
   else
-    run_triangles<false>(mesh, vertices, clip);
+    run_triangles<false>(mesh, vertices, clip, range);
 }
 
 void PolygonAssembly::run_screen(std::span<const ScreenVertex> vertices) {

@@ -9,6 +9,7 @@
 #include "spanline/geometry/view_space.hpp"
 #include "spanline/model/cull.hpp"
 #include "spanline/model/mesh.hpp"
+#include "spanline/model/polygon_range.hpp"
 #include "spanline/raster/band_of_row.hpp"
 #include "spanline/raster/link.hpp"
 #include "spanline/raster/polygon_table.hpp"
@@ -40,9 +41,10 @@ class PolygonAssembly {
     VertexStore* store = nullptr;
   };
 
-  /// Assembles all polygons of `mesh`, whose screen vertices are `vertices`. `scissored` says that the mesh may leave
-  /// the viewport.
-  void run(const Mesh& mesh, const ScreenVertex* vertices, bool scissored, const ClipContext& clip);
+  /// Assembles the polygons of `range` of `mesh`, whose screen vertices are `vertices`. `scissored` says that the mesh
+  /// may leave the viewport.
+  void run(const Mesh& mesh, const ScreenVertex* vertices, bool scissored, const ClipContext& clip,
+           const PolygonRange& range);
 
   /// Assembles triangles, each of three consecutive vertices.
   void run_screen(std::span<const ScreenVertex> vertices);
@@ -53,10 +55,13 @@ class PolygonAssembly {
 
  private:
   template <bool Scissored>
-  void run_triangles(const Mesh& mesh, const ScreenVertex* vertices, const ClipContext& clip);
+  void run_triangles(const Mesh& mesh, const ScreenVertex* vertices, const ClipContext& clip,
+                     const PolygonRange& range);
   template <bool Scissored, Cull Culled>
-  void run_triangles(const Mesh& mesh, const ScreenVertex* vertices, const ClipContext& clip);
-  void run_polygons(const Mesh& mesh, const ScreenVertex* vertices, bool scissored, const ClipContext& clip);
+  void run_triangles(const Mesh& mesh, const ScreenVertex* vertices, const ClipContext& clip,
+                     const PolygonRange& range);
+  void run_polygons(const Mesh& mesh, const ScreenVertex* vertices, bool scissored, const ClipContext& clip,
+                    const PolygonRange& range);
   template <bool Scissored>
   bool take(Cull cull, const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, std::int32_t& band,
             std::uint32_t& back) const;

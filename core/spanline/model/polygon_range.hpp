@@ -1,0 +1,51 @@
+#pragma once
+/// @file
+/// A part of a mesh's polygons.
+///
+/// ```cpp
+/// constexpr Vertex16 corners[] = {{0, 0, 0}, {256, 0, 0}, {0, 256, 0}, {256, 256, 0}};
+/// constexpr std::uint16_t indices[] = {0, 1, 2, 1, 3, 2};
+/// const Mesh mesh{.vertices = corners, .indices = indices, .step_exponent = -8, .bounds = {{}, 400}};
+/// const PolygonRange second = PolygonRange::of(mesh, 1, 1);  // the second triangle alone
+/// ```
+#include <cstddef>
+#include <cstdint>
+
+#include "spanline/model/mesh.hpp"
+
+namespace spanline {
+
+/// Polygons of a mesh that follow one another, and where they stand in its tables.
+struct PolygonRange {
+  std::uint32_t first = 0;           ///< number of the first polygon, [0, the mesh's polygons)
+  std::uint32_t count = 0;           ///< polygons
+  std::uint32_t first_index = 0;     ///< where the first polygon's indices begin in `Mesh::indices`
+  std::uint32_t first_triangle = 0;  ///< number of the first polygon's first triangle, all polygons counted as fans
+
+  /// All polygons of a mesh.
+  [[nodiscard]] static constexpr PolygonRange whole(const Mesh& mesh) {
+    return {0, static_cast<std::uint32_t>(mesh.corners.empty() ? mesh.indices.size() / 3 : mesh.corners.size()), 0, 0};
+  }
+  /// `polygon_count` polygons from number `first_polygon` on. Where polygons have numbers of corners of their own it
+  /// counts those before them: for tables that are made once.
+  [[nodiscard]] static constexpr PolygonRange of(const Mesh& mesh, std::uint32_t first_polygon,
+                                                 std::uint32_t polygon_count) {
+    PolygonRange range{first_polygon, polygon_count, 3 * first_polygon, first_polygon};
+    if (mesh.corners.empty()) return range;
+    range.first_index = range.first_triangle = 0;
+    for (const std::uint8_t corners : mesh.corners.first(first_polygon)) {
+      range.first_index += corners;
+      range.first_triangle += corners - 2u;
+    }
+    return range;
+  }
+  /// The range's triangles, polygons counted as their fans.
+  [[nodiscard]] constexpr std::uint32_t triangle_count(const Mesh& mesh) const {
+    if (mesh.corners.empty()) return count;
+    std::uint32_t triangles = 0;
+    for (const std::uint8_t corners : mesh.corners.subspan(first, count)) triangles += corners - 2u;
+    return triangles;
+  }
+};
+
+}  // namespace spanline
