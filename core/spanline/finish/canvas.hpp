@@ -15,8 +15,8 @@
 namespace spanline {
 
 /// Draws in two dimensions on top of a finished band: rectangles, lines, sprites and text. Coordinates are pixels of
-/// the whole picture, |coordinate| ≤ 16,383; what lies outside the band is left out, so that calling the same for every
-/// band draws the same picture whatever their height.
+/// the whole picture, |coordinate| ≤ 16,383. Everything is clipped to the band, so the same calls made for every band
+/// draw the same picture, whatever the height of a band.
 template <class Format>
 class Canvas {
  public:
@@ -33,7 +33,7 @@ class Canvas {
     const std::int32_t bottom = std::min(y + height, y1_);
     for (std::int32_t row = std::max(y, y0_); row < bottom; ++row) std::fill(at(left, row), at(right, row), pixel);
   }
-  /// The border of a rectangle, a pixel wide.
+  /// Draws the border of a rectangle, one pixel wide.
   void frame(std::int32_t x, std::int32_t y, std::int32_t width, std::int32_t height, Rgb888 colour) {
     fill(x, y, width, 1, colour);
     fill(x, y + height - 1, width, 1, colour);
@@ -41,7 +41,8 @@ class Canvas {
     fill(x + width - 1, y + 1, 1, height - 2, colour);
   }
 
-  /// A line from one pixel to another, both drawn: on the longer axis a pixel a step, on the other the nearest.
+  /// Draws a line from one pixel to another, both included: one pixel a step along the longer axis, the nearest pixel
+  /// on the shorter.
   void line(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, Rgb888 colour) {
     const Pixel pixel = Format::from(colour);
     ClippedLine steps(x0, y0, x1, y1, {0, y0_, width_, y1_});
@@ -49,8 +50,8 @@ class Canvas {
       if (inside(steps.x(), steps.y())) *at(steps.x(), steps.y()) = pixel;
   }
 
-  /// A texture's level 0 as it is, its top left texel at (x, y); texels cover what is below as much as their alpha
-  /// says.
+  /// Draws level 0 of a texture unscaled, its top left texel at (x, y). Each texel is blended by its alpha over the
+  /// pixel below.
   void sprite(std::int32_t x, std::int32_t y, const Texture& texture) {
     const std::int32_t width = 1 << texture.log2_width, height = 1 << texture.log2_height;
     const std::int32_t left = std::max<std::int32_t>(x, 0), right = std::min(x + width, width_);
@@ -63,7 +64,7 @@ class Canvas {
       }
   }
 
-  /// A line of UTF-8 text, its pen starting at (x, baseline). Gives where the pen ends.
+  /// Draws a line of UTF-8 text whose pen starts at (x, baseline). Returns the x at which the pen ends.
   std::int32_t text(std::int32_t x, std::int32_t baseline, std::string_view text, const Font& font, Rgb888 colour) {
     const std::uint16_t ink = Rgb565::from(colour);
     const bool touches = baseline - font.ascent < y1_ && baseline + font.descent >= y0_;
@@ -81,7 +82,7 @@ class Canvas {
     return x >= 0 && x < width_ && y >= y0_ && y < y1_;
   }
 
-  /// `alpha` fifteenths of a colour over a pixel.
+  /// Blends a colour over a pixel with opacity `alpha`/15.
   static void cover(Pixel& pixel, std::uint16_t rgb565, unsigned alpha) {
     if (alpha == 0) return;
     if (alpha == 15) {

@@ -6,7 +6,7 @@
 namespace spanline {
 namespace {
 
-/// Where a point lies outside a box: the codes of Cohen and Sutherland.
+/// The outcode of a point (Cohen and Sutherland): a bit for each side of the box that the point lies beyond.
 unsigned outcode(std::int32_t x, std::int32_t y, const ClipBox& box) {
   return (x < box.left ? 1u : 0u) | (x >= box.right ? 2u : 0u) | (y < box.top ? 4u : 0u) | (y >= box.bottom ? 8u : 0u);
 }
@@ -33,7 +33,8 @@ ClippedLine::ClippedLine(std::int32_t x0, std::int32_t y0, std::int32_t x1, std:
   }
   direction_ = along < 0 ? -1 : 1;
   const std::int32_t length = along * direction_;
-  // Steps whose pixels lie between the box's sides: on the longer axis exactly, on the shorter with one to spare.
+  // The range of steps whose pixels lie inside the box: exact on the longer axis, with one step to spare on the
+  // shorter.
   std::int32_t first = direction_ > 0 ? major_low - major_ : major_ - (major_high - 1);
   std::int32_t last = direction_ > 0 ? major_high - 1 - major_ : major_ - major_low;
   if (across != 0) {
@@ -51,7 +52,7 @@ ClippedLine::ClippedLine(std::int32_t x0, std::int32_t y0, std::int32_t x1, std:
     last_ = length == 0 ? 0 : last_;
     return;
   }
-  // The shorter axis at step i: start + floor((2·i·across + length) / (2·length)).
+  // Position on the shorter axis at step i: start + floor((2·i·across + length) / (2·length)).
   divisor_ = 2 * length;
   slope_ = floor_quotient(2 * across, divisor_);
   slope_remainder_ = 2 * across - slope_ * divisor_;

@@ -3,17 +3,17 @@
 
 namespace spanline {
 
-/// The part of the picture that a line is clipped to: columns [left, right), rows [top, bottom).
+/// The part of the picture that a line is clipped to: columns [left, right), rows [top, bottom), pixels.
 struct ClipBox {
   std::int32_t left, top, right, bottom;
 };
 
-/// The pixels of a line, from its first end to its second, as far as they can lie inside a box: on the longer axis a
-/// pixel a step, on the shorter the nearest, halves towards greater coordinates.
+/// The pixels of a line from its first end to its second, clipped to a box: one pixel a step along the longer axis, on
+/// the shorter axis the nearest pixel, halves towards greater coordinates.
 ///
-/// Outcodes (Cohen and Sutherland; lecture 001) throw away lines that are outside on one side; of the others, a range
-/// of steps is kept which holds every pixel inside and at most a few more. Where a pixel lies depends on the whole line
-/// alone, so a line that is drawn band by band is the line that is drawn at once. |coordinate| ≤ 16,383.
+/// Outcodes (Cohen and Sutherland; lecture 001) reject lines that lie outside one side of the box. For any other line a
+/// range of steps is kept that holds every pixel inside the box and at most a few outside. A pixel's position depends
+/// on the unclipped line alone, so a line drawn band by band equals the line drawn at once. |coordinate| ≤ 16,383.
 class ClippedLine {
  public:
   ClippedLine(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, const ClipBox& box);
@@ -36,7 +36,9 @@ class ClippedLine {
   std::int32_t step_ = 1, last_ = 0;
   bool steep_ = false;
   std::int32_t major_ = 0, minor_ = 0, direction_ = 1;
-  std::int32_t slope_ = 0, slope_remainder_ = 0;  ///< of the shorter axis a step: whole pixels, and divisor-ths
+  std::int32_t slope_ = 0,
+               slope_remainder_ =
+                   0;  /// movement on the shorter axis a step: whole pixels, and a remainder in 1/divisor_ pixels
   std::int32_t remainder_ = 0, divisor_ = 1;
 };
 

@@ -7,7 +7,7 @@
 
 namespace spanline {
 
-/// The characters of a UTF-8 text. What is no UTF-8 counts as one question mark a byte.
+/// Reads the characters of a UTF-8 text. Each invalid byte counts as one question mark.
 class Utf8Reader {
  public:
   explicit constexpr Utf8Reader(std::string_view text) : text_(text) {}

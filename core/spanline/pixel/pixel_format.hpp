@@ -6,8 +6,8 @@
 
 namespace spanline {
 
-/// A surface colour scaled for lighting: channel · 31/255 or 63/255 in 8.8, so that one product with an intensity and a
-/// shift give the rounded 5- or 6-bit channel.
+/// A surface colour prepared for lighting: each channel is scaled by 31/255 or 63/255 and stored in Q8.8. One product
+/// with an intensity and one shift then give the rounded 5- or 6-bit channel.
 struct LitColour {
   std::uint16_t red, green, blue;
 
@@ -18,7 +18,7 @@ struct LitColour {
   }
 };
 
-/// Light in 1/65536, [0, 65535]: what reaches the eye of a white surface.
+/// The light that a white surface reflects to the eye, 1/65536, [0, 65535].
 using Intensity = std::uint32_t;
 
 /// 16-bit pixels, red in bits 15…11, green in 10…5, blue in 4…0. `Swapped` stores them high byte first in memory on a
@@ -27,20 +27,20 @@ template <bool Swapped>
 struct PackedRgb565 {
   using Pixel = std::uint16_t;
 
-  /// Channels of 5, 6 and 5 bits.
+  /// Packs channels of 5, 6 and 5 bits.
   [[nodiscard]] static constexpr Pixel pack(std::uint32_t red, std::uint32_t green, std::uint32_t blue) {
     const std::uint32_t word = red << 11 | green << 5 | blue;
     return static_cast<Pixel>(Swapped ? (word << 8 | word >> 8) : word);
   }
-  /// A colour under an intensity; channels rounded to nearest.
+  /// The pixel of a colour under an intensity; channels are rounded to nearest.
   [[nodiscard]] static constexpr Pixel lit(LitColour colour, Intensity intensity) {
     constexpr std::uint32_t half = 1u << 23;
     return pack((colour.red * intensity + half) >> 24, (colour.green * intensity + half) >> 24,
                 (colour.blue * intensity + half) >> 24);
   }
-  /// A colour in full light.
+  /// The pixel of a colour in full light.
   [[nodiscard]] static constexpr Pixel from(Rgb888 colour) { return lit(LitColour::from(colour), 65535); }
-  /// A pixel given in the plain order of RGB565.
+  /// The pixel of an RGB565 word in plain byte order. It is its own inverse.
   [[nodiscard]] static constexpr Pixel from_rgb565(std::uint16_t word) {
     return static_cast<Pixel>(Swapped ? (word << 8 | word >> 8) : word);
   }
@@ -49,7 +49,7 @@ struct PackedRgb565 {
 using Rgb565 = PackedRgb565<false>;
 using Rgb565Swapped = PackedRgb565<true>;
 
-/// An item buffer: each pixel holds 1 + the id of the triangle that owns it, 0 the background.
+/// An item buffer: each pixel holds 1 + the id of the triangle that owns it, or 0 for the background.
 struct PolygonIds {
   using Pixel = std::uint32_t;
   [[nodiscard]] static constexpr Pixel from(Rgb888) { return 0; }

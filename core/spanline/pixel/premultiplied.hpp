@@ -5,24 +5,25 @@
 
 namespace spanline {
 
-/// Coverage α in 32nds, [0, 32]: what a transparent layer over RGB565 stores.
+/// Coverage α of a transparent layer over RGB565, in 32nds, [0, 32].
 using Alpha32 = std::uint32_t;
 inline constexpr Alpha32 opaque_alpha = 32;
 
-/// An opacity of [0, 255] as coverage, rounded to nearest.
+/// Converts an opacity of [0, 255] to coverage, rounded to nearest.
 [[nodiscard]] constexpr Alpha32 alpha_32(std::uint32_t opacity) { return (opacity * 64 + 255) / 510; }
 
-/// A pixel with premultiplied alpha over RGB565 (Porter and Duff 1984; lecture 004): A' = αA beside α, so that one
-/// equation, C' = B' + A' − αB', lays it over what is below, colour and coverage alike: γ = β + α − αβ.
+/// A colour with premultiplied alpha over RGB565 (Porter and Duff 1984; lecture 004). It stores A' = αA and α, so that
+/// the same equation composes both colour, C' = B' + A' − αB', and coverage, γ = β + α − αβ.
 ///
-/// Channels of A' are exact, in 32nds of RGB565's steps: [0, 31·32], [0, 63·32], [0, 31·32]. They stand in one word,
-/// green in bits 31…21, red in 20…11, blue in 9…0, where a product of an RGB565 word with 32 − α lands (spread_565).
-/// Over an opaque pixel the result is therefore exact for that α, rounded to nearest, halves up.
+/// Channels of A' are exact, in 32nds of an RGB565 step: red and blue in [0, 31·32], green in [0, 63·32]. They share
+/// one word, green in bits 31…21, red in 20…11, blue in 9…0: the bits in which the product of an RGB565 word
+/// (spread_565) with 32 − α has them. Over an opaque pixel the result is therefore exact for that α, and rounded to
+/// nearest, halves up.
 class Premultiplied565 {
  public:
-  constexpr Premultiplied565() = default;  ///< nothing: it changes no pixel
+  constexpr Premultiplied565() = default;  /// fully transparent: it changes no pixel
 
-  /// A straight colour with coverage.
+  /// Premultiplies a straight colour by its coverage.
   [[nodiscard]] static constexpr Premultiplied565 from(std::uint32_t rgb565, Alpha32 alpha) {
     return {spread_565::from(rgb565) * alpha, alpha};
   }
@@ -32,11 +33,11 @@ class Premultiplied565 {
   [[nodiscard]] constexpr std::uint32_t green() const { return colour_ >> 21; }
   [[nodiscard]] constexpr std::uint32_t blue() const { return colour_ & 1023; }
 
-  /// C' over an opaque pixel.
+  /// This layer over an opaque pixel, RGB565.
   [[nodiscard]] constexpr std::uint32_t over(std::uint32_t rgb565) const {
     return spread_565::joined(((spread_565::from(rgb565) * keep() + rounded()) >> 5) & spread_565::mask);
   }
-  /// This layer over another: one that stands for both. Colour and coverage are rounded to their 32nds.
+  /// This layer over another layer, as one layer that equals both. Colour and coverage are rounded to 32nds.
   [[nodiscard]] constexpr Premultiplied565 over(Premultiplied565 below) const {
     const auto composed = [this](std::uint32_t above, std::uint32_t under) {
       return above + ((under * keep() + 16) >> 5);
@@ -46,7 +47,7 @@ class Premultiplied565 {
         composed(alpha_, below.alpha_)};
   }
 
-  /// What a loop over pixels keeps in registers: 32 − α, and A' with ½ added to each channel.
+  /// Constants of a loop over pixels: keep() is 32 − α, rounded() is A' with ½ added to each channel.
   [[nodiscard]] constexpr std::uint32_t keep() const { return opaque_alpha - alpha_; }
   [[nodiscard]] constexpr std::uint32_t rounded() const { return colour_ + 0x02008010u; }
 
@@ -59,11 +60,11 @@ class Premultiplied565 {
   Alpha32 alpha_ = 0;
 };
 
-/// A premultiplied colour without coverage, α = 0: C' = B' + A', for glows. Channels stop at full.
+/// A premultiplied colour without coverage, α = 0, for glows: C' = B' + A'. Channels saturate.
 [[nodiscard]] constexpr std::uint32_t added_565(std::uint32_t below, std::uint32_t glow) {
   const std::uint32_t sum = spread_565::from(below) + spread_565::from(glow);
-  const std::uint32_t red_blue = sum & 0x00010020, green = sum & 0x08000000;  // carries, one above each channel
-  // A carry less its channel's lowest bit's worth: all bits of the channel.
+  const std::uint32_t red_blue = sum & 0x00010020, green = sum & 0x08000000;  // carries: the bit above each channel
+  // A carry minus the channel's lowest bit sets all bits of the channel.
   const std::uint32_t full = (red_blue - (red_blue >> 5)) | (green - (green >> 6));
   return spread_565::joined((sum | full) & spread_565::mask);
 }

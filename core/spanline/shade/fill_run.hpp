@@ -39,7 +39,8 @@ template <PixelSource Source, class Pixel>
   fill_stepped(pixels, count, source);
 }
 
-/// Pixels of one block, of whose first piece `piece` pixels are left; `next_piece` goes from one piece to the next.
+/// Fills pixels of one block. `piece` pixels of its current piece are left; `next_piece` moves the source on to the
+/// following piece.
 template <class Source, class Pixel, class NextPiece>
 [[gnu::always_inline]] inline void fill_pieces(Pixel* pixels, Source source, std::uint32_t piece, std::uint32_t count,
                                                NextPiece next_piece) {
@@ -73,13 +74,13 @@ template <class Surface, class Steps, class Pixel>
   fill_pieces(pixels, source, 4 - (into & 3), count, [&](auto& s) { s.next_piece(block); });
 }
 
-/// Whole blocks are straight code.
+/// Fills whole blocks by straight-line code.
 template <class Surface, class Steps, class Pixel>
 [[gnu::noinline]] void fill_whole_blocks(Pixel* pixels, std::uint32_t count, const Surface& surface,
                                          std::int32_t column, const Steps* blocks) {
   auto source = surface.source(column);
   for (const Steps* const end = blocks + count;;) {
-    const Steps block = *blocks;  // in registers
+    const Steps block = *blocks;  // a copy, so that the compiler can keep it in registers
     source.restart(block);
 #pragma GCC unroll 4
     for (std::size_t piece = 0; piece < 4; ++piece) {
@@ -112,9 +113,9 @@ template <SurfaceInCertainBlocks Surface, class Pixel>
 
 }  // namespace fill_detail
 
-/// Fills a run of pixels that a polygon owns, without a depth test: what span algorithms do. Input: the surface on the
-/// run's row; the run's first column, as the surface counts columns; its length ≥ 1; where its first pixel
-/// lies in memory.
+/// Fills a run of pixels that a polygon owns, without a depth test, as span algorithms do. Input: the surface, stepped
+/// to the run's row; the run's first column, counted as the surface counts columns; its length ≥ 1; the address of its
+/// first pixel.
 template <class Surface, class Pixel>
 [[gnu::always_inline]] inline void fill_run(const Surface& surface, std::int32_t column, std::uint32_t count,
                                             Pixel* pixels) {

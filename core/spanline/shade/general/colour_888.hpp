@@ -7,12 +7,12 @@
 
 namespace spanline {
 
-/// Channels of 8 bits as integers to work with.
+/// A colour of three 8-bit channels, held as integers for arithmetic.
 struct Colour888 {
   std::int32_t red, green, blue;
 
   [[nodiscard]] static Colour888 from(Rgb888 c) { return {c.red, c.green, c.blue}; }
-  /// A channel at a time, by a pointer to it.
+  /// Applies f to each channel; f receives a pointer to the channel's member.
   template <class F>
   [[nodiscard]] static Colour888 of(F channel) {
     return {channel(&Colour888::red), channel(&Colour888::green), channel(&Colour888::blue)};
@@ -26,8 +26,8 @@ struct Colour888 {
   return Colour888::of([&](auto c) { return mixed(from.*c, to.*c, share_in_255ths); });
 }
 
-/// What a frame does to a colour at last: fog at its nearness, then rounding to RGB565, or dither by its place on the
-/// screen.
+/// Applies the frame's last effects to a colour: fog by nearness, then either rounding to RGB565 or ordered dither by
+/// screen position.
 [[nodiscard]] inline std::uint16_t finished_rgb565(const FrameEffects& effects, Colour888 colour,
                                                    std::uint32_t nearness, std::uint32_t column, std::uint32_t row) {
   if (effects.fogged)

@@ -10,9 +10,9 @@
 
 namespace spanline {
 
-/// Everything that a material and a frame can ask for, in one shader: any texture format, wrap, filter, texture
-/// function and mip mapping, flat or smooth light, fog and dither. What it does is decided pixel by pixel, so that a
-/// program pays for it once in flash and in every pixel; shaders in front of it in the list serve what they can faster.
+/// One shader for everything that a material and a frame can ask for: any texture format, wrap mode, filter, texture
+/// function and mip mapping, flat or smooth light, fog and dither. It decides all of this at each pixel, which makes it
+/// slow but small. Shaders that stand before it in the list take the cases that they draw faster.
 template <class Format>
 struct GeneralShader {
   using Pixel = typename Format::Pixel;
@@ -29,7 +29,7 @@ struct GeneralShader {
       return general_pixel_present(*surface, *texels, coordinates.u, coordinates.v);
     }
     [[nodiscard]] Pixel get() const { return Format::from_rgb565(whole().rgb565); }
-    /// With the opacity of its texels.
+    /// The colour with the opacity of its texels.
     [[nodiscard]] GeneralColour whole() const {
       GeneralPixel pixel = at;
       pixel.u = coordinates.u;
@@ -59,7 +59,7 @@ struct GeneralShader {
    public:
     Blocks(const GeneralSurface& surface, std::int32_t column)
         : surface_(surface), walk_(surface.plane, column), texels_(surface.texels_at(column)) {}
-    /// Pieces end with the screen's groups of 16 columns, since levels of mip maps do.
+    /// Pieces end at the screen's groups of 16 columns, because the mip level may change there.
     [[nodiscard]] std::uint32_t rest() const { return std::min(walk_.rest(), rest_of_group()); }
     [[nodiscard]] std::uint32_t rest_of_block() const { return std::min(walk_.rest_of_block(), rest_of_group()); }
     [[nodiscard]] Source source() const {
@@ -119,7 +119,7 @@ struct GeneralShader {
 
  private:
   static constexpr std::int32_t least = vertex_shade::lowest_intensity;
-  /// A channel of a colour under an intensity, 16 bits that keep off the ends.
+  /// A channel under an intensity, as 16 bits that stay clear of both ends of the range for interpolation.
   static std::int32_t lit(std::uint32_t channel, std::uint32_t intensity) {
     return std::clamp<std::int32_t>(static_cast<std::int32_t>(channel * 257 * intensity >> 16), least,
                                     vertex_shade::highest_intensity);

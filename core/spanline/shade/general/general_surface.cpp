@@ -32,7 +32,7 @@ struct Sample {
 
 Sample sample_of(const Texel& texel) { return {Colour888::from(widened(texel.rgb565)), texel.alpha * 17}; }
 
-/// 255/alpha in Q8; nothing for alpha 0.
+/// 255/alpha, Q8, by alpha in [0, 255]; 0 for alpha 0.
 constexpr std::array<std::uint16_t, 256> straightening = [] {
   std::array<std::uint16_t, 256> table{};
   for (std::uint32_t alpha = 1; alpha < 256; ++alpha)
@@ -40,8 +40,9 @@ constexpr std::array<std::uint16_t, 256> straightening = [] {
   return table;
 }();
 
-/// Four texels by their distance in 256ths: column by column, then row by row. Where alpha tells what is there, colours
-/// weigh by it, or the colour of texels that are not there would show at the rim of those that are.
+/// Bilinear filter: four texels weighted by their distances in 256ths, first along columns, then along rows. Where
+/// alpha says whether a texel is present, colours are weighted by alpha too; otherwise the colour of absent texels
+/// would show at the edges of present ones.
 Sample bilinear(const TexelSource& source, std::uint32_t u, std::uint32_t v, bool by_alpha) {
   constexpr std::int32_t half = 1 << 15;
   const std::int32_t x = (signed_word(u) >> source.level) - half, y = (signed_word(v) >> source.level) - half;
@@ -64,7 +65,7 @@ Sample bilinear(const TexelSource& source, std::uint32_t u, std::uint32_t v, boo
           alpha};
 }
 
-/// What alpha of texels is for, where they have any and no decal is mixed by it.
+/// Whether the alpha of texels is used in the way `alpha` names: texels have any, and no decal uses it to mix colours.
 bool uses_alpha(const Texturing& texturing, TexelAlpha alpha) {
   return texturing.alpha == alpha && has_alpha(texturing);
 }
