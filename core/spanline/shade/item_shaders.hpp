@@ -12,8 +12,8 @@
 
 namespace spanline {
 
-/// Shaders that write into an item buffer: each pixel holds the number of the polygon that owns it in the polygon table
-/// (lecture 004, "Deferred Shading"). `item` of their surfaces is that number; whoever makes one fills it in.
+/// A shader that writes into an item buffer: each pixel holds the number in the polygon table of the polygon that owns
+/// it (lecture 004, "Deferred Shading"). `make` leaves the surface's `item`, this number, to its caller.
 struct ItemShader {
   using Pixel = Link;
   static constexpr bool interpolates = false;
@@ -35,7 +35,7 @@ struct ItemShader {
   static void make(Surface&, const Group&, const PolygonCorners&) {}
 };
 
-/// The same for a shader whose surfaces may have holes: its own sources tell where.
+/// An item shader for a shader whose surfaces may have holes. The shader's own sources say which pixels are present.
 template <class Shader>
 struct ItemShaderWithHoles {
   using Pixel = Link;
@@ -69,7 +69,7 @@ concept HasHoles = SurfaceInBlocks<typename Shader::Surface> && requires(const t
   { surface.blocks(0).source() } -> SourceWithHoles;
 };
 
-/// A list of item shaders, the plain one first, to which those of `Shaders` that have holes are added.
+/// The list of item shaders `List`, followed by one for each of `Shaders` that has holes.
 template <class List, class... Shaders>
 struct Joined {
   using Type = List;
@@ -81,8 +81,8 @@ struct Joined<ShaderList<Items...>, First, Rest...>
     : Joined<ShaderList<Items..., ItemShaderWithHoles<First>>, Rest...> {};
 }  // namespace item_shaders
 
-/// The item shaders in the place of a list's own, by the same numbers; and for groups without any hole, whatever their
-/// shader could draw.
+/// The item shaders that replace the shaders of a list. They are selected by the same numbers; the number
+/// `without_holes` selects the plain one, for groups that have no hole even if their shader could draw some.
 template <class... Shaders>
 struct ItemShaders : item_shaders::Joined<ShaderList<ItemShader>, Shaders...>::Type {
   using List = typename item_shaders::Joined<ShaderList<ItemShader>, Shaders...>::Type;

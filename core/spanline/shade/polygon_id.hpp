@@ -4,8 +4,8 @@
 
 namespace spanline {
 
-/// Writes the number of the triangle that owns a pixel: item buffers for --ids-out, statistics and tests. It stands in
-/// for every shading mode.
+/// Writes the id of the triangle that owns a pixel, for --ids-out, statistics and tests. It replaces the shader of
+/// every shading mode.
 struct IdShader {
   using Pixel = PolygonIds::Pixel;
   using Source = FlatShader<PolygonIds>::Source;

@@ -13,7 +13,7 @@ template <class... Shaders>
 struct ItemShaders;
 
 namespace shader_list {
-/// The layers of the first see-through shader; a list without any has none.
+/// The layer type of the first see-through shader; an empty type if the list has none.
 template <class... Shaders>
 struct LayerOf {
   struct Type {};
@@ -26,16 +26,16 @@ struct LayerOf<First, Rest...> {
 };
 }  // namespace shader_list
 
-/// The shaders that a renderer links. A polygon's surface is stored in the room of the largest; with one shader the
-/// choice costs nothing.
+/// The shaders that a renderer links. A polygon's surface is stored in bytes that fit the largest surface. A list of
+/// one shader selects it without any code.
 template <class... Shaders>
 struct ShaderList {
   static constexpr std::size_t count = sizeof...(Shaders);
   static_assert(count > 0);
-  /// Whether any of them shows what lies behind its polygons.
+  /// Whether any of the shaders is see-through.
   static constexpr bool see_through = (SeeThrough<Shaders> || ...);
   using Layer = typename shader_list::LayerOf<Shaders...>::Type;
-  /// What draws into item buffers for these shaders (item_shaders.hpp).
+  /// The item shaders that replace these shaders (item_shaders.hpp).
   using Items = ItemShaders<Shaders...>;
 
   struct Surface {
@@ -47,8 +47,8 @@ struct ShaderList {
     }
   };
 
-  /// A whole run of visible pixels, for algorithms that know spans: `length` pixels of a surface from `column` on, or
-  /// of one value.
+  /// Fills a run of visible pixels, for algorithms that work in spans: `length` pixels of a surface from `column` on,
+  /// or of one value.
   template <class S, class Pixel>
   static void fill(const S& surface, std::int32_t column, std::uint32_t length, Pixel* pixels) {
     fill_run(surface, column, length, pixels);
@@ -58,7 +58,7 @@ struct ShaderList {
     fill_constant(value, length, pixels);
   }
 
-  /// Place of a shader in the list; `count` if it is not there.
+  /// Index of a shader in the list; `count` if it is not there.
   template <class Shader>
   static constexpr std::uint8_t index_of = [] {
     std::uint8_t i = 0;
@@ -66,7 +66,7 @@ struct ShaderList {
     return found ? i : static_cast<std::uint8_t>(count);
   }();
 
-  /// Place of the first shader for which f.template operator()<Shader>() holds; `count` if there is none.
+  /// Index of the first shader for which f.template operator()<Shader>() is true; `count` if there is none.
   template <class F>
   [[nodiscard]] static constexpr std::uint8_t first(F&& f) {
     std::uint8_t i = 0;
@@ -100,7 +100,7 @@ struct Longer<ShaderList<Shaders...>, More...> {
 };
 }  // namespace shader_list
 
-/// A list of shaders with more behind them.
+/// The list of shaders `List`, followed by `More`.
 template <class List, class... More>
 using WithShaders = typename shader_list::Longer<List, More...>::type;
 

@@ -11,12 +11,11 @@
 
 namespace spanline {
 
-/// A light as one group sees it: turned into the mesh's own axes and scaled, so that a packed normal gives an
-/// intensity by three products.
+/// A light in the mesh's own axes, scaled so that three products with a packed normal give an intensity.
 struct ModelLight {
-  std::int32_t x, y, z;  ///< light·intensity · 65536 · 64 / 511
+  std::int32_t x, y, z;  /// direction to the light times intensity · 65536 · 64 / 511
 
-  /// Intensity (1/65536) that falls on a packed normal; negative if it faces away.
+  /// The intensity, 1/65536, that falls on a packed normal; negative if the normal points away from the light.
   [[nodiscard]] std::int32_t on(PackedNormal normal) const {
     return (normal.x() * x + normal.y() * y + normal.z() * z) >> 6;
   }
@@ -25,51 +24,51 @@ struct ModelLight {
 struct FrameEffects;
 class LocalLighting;
 
-/// What shaders that work out pixel by pixel need to know of a group.
+/// Extra data for groups drawn by shaders that compute each pixel (PixelwiseShader).
 struct PixelwiseGroup {
   Relief relief;
   Volume volume;
-  const std::int32_t* third_coordinates;  ///< r, one a vertex, where there is a solid
+  const std::int32_t* third_coordinates;  /// texture coordinate r of each vertex, if there is a solid
 };
 
-/// What shaders need to know of a textured group besides, the general shader of any, and others of groups in local
-/// light.
+/// Extra data for textured groups, groups drawn by GeneralShader, and groups in local light.
 struct TexturedGroup {
-  const TextureVertex* vertices;  ///< one a vertex; null without a texture
+  const TextureVertex* vertices;  /// one for each vertex; null without a texture
   Texturing texturing;
-  Rgb888 colour;                              ///< the material's
-  bool smooth = false;                        ///< light and colour are interpolated
-  vertex_shade::Kind shades{};                ///< what `vertex_shades` are
-  const FrameEffects* effects = nullptr;      ///< of the frame; for the general shader
-  const LocalLighting* local = nullptr;       ///< where the light is more than the group's own
-  const PixelwiseGroup* pixelwise = nullptr;  ///< for shaders that ask for it
+  Rgb888 colour;                              /// of the material
+  bool smooth = false;                        /// whether light and colour are interpolated between the vertices
+  vertex_shade::Kind shades{};                /// what each of `vertex_shades` holds
+  const FrameEffects* effects = nullptr;      /// of the frame; used by GeneralShader
+  const LocalLighting* local = nullptr;       /// null unless the group is in local light
+  const PixelwiseGroup* pixelwise = nullptr;  /// null unless the shader needs it
 };
 
-/// How a see-through group shows what lies behind it; nothing to opaque ones.
+/// How a see-through group shows what lies behind it. Opaque groups ignore it.
 struct Layering {
-  std::uint16_t transparency : 2 = 0;  ///< Transparency
-  std::uint16_t level : 7 = 0;         ///< coverage in 32nds where colours mix, in 64ths where pixels are left out
-  std::uint16_t variant : 7 = 0;       ///< screen-door: number of the group; stochastic: seed
+  std::uint16_t transparency : 2 = 0;  /// a value of Transparency
+  std::uint16_t level : 7 = 0;         /// opacity: 32nds where colours are mixed, 64ths where pixels are left out
+  std::uint16_t variant : 7 = 0;       /// screen-door: number of the group; stochastic: seed
 };
 
-/// What shaders need to know of a group of polygons.
+/// The data that shaders need of a group of polygons.
 struct ShadingGroup {
-  const Mesh* mesh = nullptr;  ///< null for triangles given on screen
+  const Mesh* mesh = nullptr;  /// null for triangles given in screen coordinates
   union {
-    const std::uint16_t* screen_colours = nullptr;  ///< of triangles given on screen: RGB565, one a triangle
-    const TexturedGroup* textured;  ///< of a mesh: for shaders of textures, in local light, and the general one
+    const std::uint16_t* screen_colours =
+        nullptr;                    /// triangles given in screen coordinates: RGB565, one for each triangle
+    const TexturedGroup* textured;  /// meshes: set if the shader needs it
   };
-  const std::uint32_t* vertex_shades = nullptr;  ///< Gouraud: one a vertex (gouraud.hpp)
-  const std::uint16_t* ramp = nullptr;           ///< Gouraud without vertex colours: 64 pixels
-  std::uint32_t first_id = 0;                    ///< id of the group's triangle 0
-  LitColour colour{};                            ///< the material's
-  std::uint16_t ambient = 65535;                 ///< 1/65536
+  const std::uint32_t* vertex_shades = nullptr;  /// Gouraud shading: one for each vertex (gouraud.hpp)
+  const std::uint16_t* ramp = nullptr;  /// Gouraud shading without vertex colours: 64 pixels from dark to full light
+  std::uint32_t first_id = 0;           ///< id of the group's triangle 0
+  LitColour colour{};                   /// of the material
+  std::uint16_t ambient = 65535;        /// ambient intensity, 1/65536
   std::uint8_t light_count = 0;
-  std::uint8_t shader = 0;  ///< place in the renderer's list of shaders
+  std::uint8_t shader = 0;  /// index in the renderer's list of shaders
   Layering layering{};
   ModelLight lights[Lighting::max_lights] = {};
 
-  /// Makes it new, but for the lights: as many as are counted are written.
+  /// Resets everything but the lights, of which only the first `light_count` are ever read.
   void clear() {
     mesh = nullptr;
     screen_colours = nullptr;
@@ -91,7 +90,7 @@ struct ShadingGroup {
     }
     return sum > 65535 ? 65535 : static_cast<Intensity>(sum);
   }
-  /// The light on a polygon of the mesh; full where it has no normals.
+  /// The intensity on a polygon of the mesh; full light if the mesh has no normals.
   [[nodiscard]] Intensity polygon_intensity(std::size_t polygon) const {
     return mesh->polygon_normals.empty() ? Intensity{65535} : intensity(mesh->polygon_normals[polygon]);
   }

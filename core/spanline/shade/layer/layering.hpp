@@ -9,8 +9,8 @@
 
 namespace spanline {
 
-/// Whether anything may be seen behind a material, once its opacity is rounded; for surfaces whose opacity varies,
-/// besides, something always may.
+/// Whether anything may be seen through a material once its opacity is rounded. A surface whose opacity varies may be
+/// seen through in any case.
 [[nodiscard]] constexpr bool is_see_through(const Material& material) {
   if (material.transparency == Transparency::add) return true;
   if (material.opacity == 255) return false;
@@ -21,11 +21,11 @@ namespace spanline {
 [[nodiscard]] constexpr bool is(Layering layering, Transparency transparency) {
   return layering.transparency == static_cast<unsigned>(transparency);
 }
-/// Whether colours mix with those behind; otherwise pixels are opaque or left out.
+/// Whether the group's colours are mixed with those behind; otherwise each pixel is either opaque or left out.
 [[nodiscard]] constexpr bool mixes(Layering layering) {
   return is(layering, Transparency::blend) || is(layering, Transparency::add);
 }
-/// The layering of group `number` with a see-through material; `seed` in [0, 127] is for stochastic ones.
+/// The layering of group `number` with a see-through material. `seed` in [0, 127] is used by stochastic transparency.
 [[nodiscard]] constexpr Layering layering_of(const Material& material, std::uint32_t number, std::uint32_t seed) {
   Layering layering;
   layering.transparency = static_cast<std::uint16_t>(static_cast<unsigned>(material.transparency) & 3u);
@@ -36,25 +36,26 @@ namespace spanline {
   return layering;
 }
 
-/// The level of a group where its surface has `opacity`/255 of the material's: rounded to nearest.
+/// The group's level where the surface has `opacity`/255 of the material's opacity, rounded to nearest.
 [[nodiscard]] constexpr std::uint32_t level_at(Layering layering, std::uint32_t opacity) {
   return word(in_255ths(signed_word(layering.level * opacity)));
 }
 
-/// A pixel of a layer whose colours mix: a straight colour with its coverage.
+/// A pixel of a layer whose colours mix: a colour that is not premultiplied, and its coverage.
 template <class Format>
 struct PixelLayer {
   typename Format::Pixel pixel;
-  std::uint8_t alpha;  ///< 32nds
-  bool adds;           ///< Transparency::add
+  std::uint8_t alpha;  /// coverage, 32nds, [0, 32]
+  bool adds;           /// whether it adds its colour (Transparency::add)
 
-  /// Puts the layer over a pixel.
+  /// Composes the layer over a pixel.
   void over(typename Format::Pixel& below) const {
-    const std::uint32_t above = Format::from_rgb565(pixel), under = Format::from_rgb565(below);  // its own inverse
+    const std::uint32_t above = Format::from_rgb565(pixel),
+                        under = Format::from_rgb565(below);  // from_rgb565 is its own inverse
     below = Format::from_rgb565(static_cast<std::uint16_t>(adds ? added_565(under, dimmed(above))
                                                                 : Premultiplied565::from(above, alpha).over(under)));
   }
-  /// α of a colour, rounded to RGB565.
+  /// The colour times α, rounded to RGB565.
   [[nodiscard]] std::uint32_t dimmed(std::uint32_t rgb565) const {
     return Premultiplied565::from(rgb565, alpha).over(0);
   }

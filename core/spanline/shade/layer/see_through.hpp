@@ -19,8 +19,8 @@
 
 namespace spanline {
 
-/// A source of pixels whose opacity varies: `opacity` in 255ths of the material's, `translucent()` with the colour, and
-/// where on the screen it stands.
+/// A source of pixels whose opacity varies. `opacity()` is in 255ths of the material's opacity, `translucent()` gives
+/// colour and opacity together, and two functions give the position on screen.
 template <class S>
 concept TranslucentSource = requires(const S& view) {
   { view.opacity() } -> std::convertible_to<std::uint32_t>;
@@ -29,7 +29,7 @@ concept TranslucentSource = requires(const S& view) {
   view.screen_row();
 };
 
-/// Any shader, seen through: by mixing colours or by leaving pixels out, as the group's material says.
+/// Makes any shader see-through, by mixing colours or by leaving pixels out, as the group's material says.
 template <class Format, class InnerShader>
 struct SeeThroughShader {
   using Inner = InnerShader;
@@ -40,7 +40,7 @@ struct SeeThroughShader {
 
   struct Surface;
 
-  /// A source of an inner surface whose opacity varies: each pixel has a level of its own.
+  /// A source of an inner surface whose opacity varies, so that each pixel has its own level.
   template <class InnerSource>
   struct VaryingSource : InnerSource {
     static constexpr bool constant = false;
@@ -65,7 +65,7 @@ struct SeeThroughShader {
     }
   };
 
-  /// A source of the inner surface with the pattern's bits: the lowest is the current pixel's.
+  /// A source of the inner surface with the bits of a stipple pattern; bit 0 belongs to the current pixel.
   template <class InnerSource>
   struct Source : InnerSource {
     static constexpr bool constant = false;
@@ -93,7 +93,7 @@ struct SeeThroughShader {
     }
   };
 
-  /// The inner surface's blocks, cut at multiples of 32 columns of the screen as well where there is a pattern.
+  /// The inner surface's blocks. Where there is a stipple pattern, they are also cut at multiples of 32 screen columns.
   class Blocks {
    public:
     Blocks(const Surface& surface, std::int32_t column) : surface_(surface), inner_(surface.inner, column) {
@@ -124,7 +124,7 @@ struct SeeThroughShader {
       mask_ = mask_ >> into | mask_ << ((32 - into) & 31);
     }
 
-    /// The inner surface as pieces, whichever kind it is.
+    /// Gives inner surfaces with and without blocks the same interface, that of blocks.
     class InnerWalk {
      public:
       InnerWalk(const typename Inner::Surface& surface, std::int32_t column)
@@ -155,7 +155,7 @@ struct SeeThroughShader {
             walk_.next();
             return;
           }
-          // The pattern cuts affine textures alone, whose one source serves the whole row.
+          // A block is cut by the pattern only on affine textures, where one source serves the whole row.
           new (&walk_) Walk(at(surface_, column_));
         } else {
           walk_ = at(surface_, column_);
@@ -186,10 +186,10 @@ struct SeeThroughShader {
 
   struct Surface {
     typename Inner::Surface inner;
-    std::uint32_t owner;  ///< whose pattern it has
+    std::uint32_t owner;  /// number that selects the surface's stipple pattern
     Layering layering;
-    std::int16_t origin;  ///< screen column that columns count from
-    std::uint16_t row;    ///< of the screen
+    std::int16_t origin;  /// screen column of column 0
+    std::uint16_t row;    /// screen row, pixels
 
     void next_row() {
       inner.next_row();
@@ -201,14 +201,14 @@ struct SeeThroughShader {
     }
     [[nodiscard]] Blocks blocks(std::int32_t column) const { return {*this, column}; }
     [[nodiscard]] bool blends() const { return mixes(layering); }
-    /// The pattern's bits for 32 columns from `x` on, a multiple of 32.
+    /// The pattern's bits for the 32 columns from `x` on; x is a multiple of 32.
     [[nodiscard]] std::uint32_t mask(std::uint32_t x) const {
       return is(layering, Transparency::screen_door)
                  ? stipple::ordered_mask(owner, layering.level, row)
                  : stipple::random_mask(owner, layering.level, x, row, layering.variant);
     }
 
-    /// Lays a run over what lies behind it.
+    /// Composes a run over the pixels behind it.
     [[gnu::noinline]] void lay(std::int32_t column, std::uint32_t count, Pixel* pixels) const {
       if (!blends()) {
         fill_detail::fill_blocks(pixels, count, blocks(column));
@@ -238,14 +238,14 @@ struct SeeThroughShader {
     surface.layering = group.layering;
     surface.origin = static_cast<std::int16_t>(gradients.origin());
     surface.row = static_cast<std::uint16_t>(gradients.row());
-    // The two sides of an instance lie over one another: they have patterns of their own.
+    // Front and back of an instance overlap on screen, so each side has its own pattern.
     const std::uint32_t back = turned_away(polygon) ? 1 : 0;
     surface.owner =
         is(group.layering, Transparency::screen_door) ? group.layering.variant + 4 * back : 2 * group.first_id + back;
   }
 
  private:
-  /// Clockwise on screen.
+  /// Whether the corners run clockwise on screen, which back faces do.
   [[nodiscard]] static bool turned_away(const PolygonCorners& polygon) {
     const auto [a, b, c] = polygon.corner;
     const auto product = [](std::int32_t p, std::int32_t q) { return static_cast<std::int64_t>(p) * q; };

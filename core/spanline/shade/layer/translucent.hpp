@@ -9,8 +9,8 @@
 
 namespace spanline {
 
-/// The general shader with an opacity that varies over a polygon, by its vertices, by its texels, or by both: their
-/// product. To be seen through: SeeThroughShader<Format, TranslucentShader<Format>>.
+/// The general shader with an opacity that varies over a polygon: that of its vertices, that of its texels, or the
+/// product of both. It is drawn see-through by SeeThroughShader<Format, TranslucentShader<Format>>.
 template <class Format>
 struct TranslucentShader {
   using General = GeneralShader<Format>;
@@ -19,13 +19,13 @@ struct TranslucentShader {
   struct Surface;
 
   struct Source : General::Source {
-    std::uint32_t of_vertices, step;  ///< opacity, 8 bits on top
+    std::uint32_t of_vertices, step;  /// opacity of the vertices and its step a column, 8 bits in bits 31…24
 
-    /// In 255ths.
+    /// The pixel's opacity, 255ths of the material's.
     [[nodiscard]] std::uint32_t opacity() const {
       return with(general_opacity(*this->surface, *this->texels, this->coordinates.u, this->coordinates.v));
     }
-    /// Colour and opacity at once.
+    /// The pixel's colour and opacity.
     [[nodiscard]] GeneralColour translucent() const {
       GeneralColour colour = this->whole();
       colour.opacity = static_cast<std::uint8_t>(with(colour.opacity));
@@ -67,7 +67,7 @@ struct TranslucentShader {
   };
 
   struct Surface : GeneralSurface {
-    LinearFunction opacity;  ///< of the vertices, 8 bits on top
+    LinearFunction opacity;  /// opacity of the vertices, 8 bits in bits 31…24
 
     void next_row() { skip_rows(1); }
     void skip_rows(std::int32_t rows) {
@@ -93,8 +93,8 @@ struct TranslucentShader {
   }
 };
 
-/// Shades of a mesh with opacities of vertices (Kind::colour_and_opacity): the colour of each vertex, or else the
-/// material's, under the group's light, and its opacity.
+/// Computes the shade of every vertex of a mesh whose vertices have opacities (Kind::colour_and_opacity): its opacity,
+/// and its colour, or else the material's, under the group's light.
 void shade_translucent_vertices(const Mesh& mesh, Rgb888 colour, const ShadingGroup& group, std::uint32_t* shades);
 
 }  // namespace spanline

@@ -7,12 +7,12 @@
 
 namespace spanline {
 
-/// One colour a polygon: its normal's light on its colour.
+/// Flat shading: one colour a polygon, lit by the polygon's normal.
 ///
-/// A shader is a struct with a `Surface`: what it keeps of a polygon while that is active. `make` fills it when the
-/// polygon starts; `next_row` steps it down; `source` gives a pixel source for a run that begins at some column. A
-/// pixel source yields the pixel under it and steps to either side. The z-buffers fuse sources into their loops; span
-/// algorithms fill whole runs.
+/// A shader is a struct with a `Surface`, which holds its state for one polygon while that is active. `make` fills the
+/// surface when the polygon starts, `next_row` steps it one row down, and `source` gives a pixel source for a run that
+/// begins at a column. A pixel source gives the current pixel and steps left and right. The z-buffers inline sources
+/// into their loops; span algorithms fill whole runs.
 template <class Format>
 struct FlatShader {
   using Pixel = typename Format::Pixel;

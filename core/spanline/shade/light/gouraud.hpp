@@ -11,25 +11,26 @@
 
 namespace spanline {
 
-/// Gouraud shading: intensity, or colour, interpolated over the screen between the vertices.
+/// Gouraud shading: the intensity or the colour at the vertices is interpolated linearly over the screen.
 namespace gouraud {
 
 inline constexpr int ramp_bits = 6;
 inline constexpr std::uint32_t ramp_size = 1u << ramp_bits;
 
-/// The shade of a vertex without a colour of its own.
+/// The shade of a vertex that has no colour of its own.
 [[nodiscard]] constexpr std::uint32_t shade_of(Intensity intensity) {
   return std::clamp<std::uint32_t>(intensity, vertex_shade::lowest_intensity, vertex_shade::highest_intensity);
 }
 
 namespace detail {
-/// A lit channel, colour · intensity / 256, whose full scale is 65,279, in fewer bits and off the ends.
+/// Scales a lit channel, colour · intensity / 256 in [0, 65279], to [0, greatest], and keeps it `off` away from both
+/// ends, so that interpolation cannot overflow.
 [[nodiscard]] constexpr std::uint32_t rounded(std::uint32_t lit, std::uint32_t greatest, std::uint32_t off) {
   return std::clamp<std::uint32_t>((lit * greatest + 32640) / 65280, off, greatest - off);
 }
 }  // namespace detail
 
-/// The shade of a coloured vertex: its colour under the light, channels rounded.
+/// The shade of a vertex with a colour: the colour under the light, channels rounded to nearest.
 [[nodiscard]] constexpr std::uint32_t shade_of(Rgb888 colour, Intensity intensity) {
   const auto channel = [intensity](std::uint32_t c, std::uint32_t greatest, std::uint32_t off) {
     return detail::rounded((c * intensity) >> 8, greatest, off);
@@ -38,7 +39,7 @@ namespace detail {
                             channel(colour.blue, 1023, 1));
 }
 
-/// The same with a highlight added.
+/// The shade of a vertex with a colour and a highlight, which is added.
 [[nodiscard]] constexpr std::uint32_t shade_of(Rgb888 colour, Intensity intensity, Rgb888 specular,
                                                Intensity highlight) {
   const auto channel = [=](std::uint32_t c, std::uint32_t s, std::uint32_t greatest, std::uint32_t off) {
@@ -58,7 +59,7 @@ void fill_ramp(LitColour colour, std::uint16_t* ramp) {
     ramp[i] = Format::lit(colour, (i * 65535 + 31) / (gouraud::ramp_size - 1));
 }
 
-/// Gouraud shading of one colour: an interpolated intensity picks the pixel from a ramp.
+/// Gouraud shading of one colour: the interpolated intensity selects the pixel from a ramp.
 template <class Format>
 struct GouraudShader {
   using Pixel = typename Format::Pixel;
@@ -74,7 +75,7 @@ struct GouraudShader {
   };
 
   struct Surface {
-    static constexpr int ramp_bits = gouraud::ramp_bits;  // a RampSurface
+    static constexpr int ramp_bits = gouraud::ramp_bits;  // required by the concept RampSurface
     LinearFunction intensity;
     const Pixel* ramp;
     void next_row() { intensity.next_row(); }
@@ -82,7 +83,7 @@ struct GouraudShader {
     [[nodiscard]] Source source(std::int32_t column) const { return {intensity.at(column), intensity.dx, ramp}; }
   };
 
-  /// Inline, so that it shares the reciprocal of the triangle's area with set-up, in registers.
+  /// Inlined, so that the reciprocal of the triangle's area stays in registers between the triangle's set-up and this.
   template <class Gradients>
   [[gnu::always_inline]] static inline void make(Surface& surface, const ShadingGroup& group,
                                                  const Gradients& gradients) {
@@ -93,7 +94,7 @@ struct GouraudShader {
   }
 };
 
-/// Gouraud shading with vertex colours: three interpolated channels.
+/// Gouraud shading with vertex colours: three channels are interpolated.
 template <class Format>
 struct GouraudColourShader {
   using Pixel = typename Format::Pixel;

@@ -13,7 +13,7 @@ void set_lights(const Lighting& lighting, const Transform& transform, ShadingGro
   for (unsigned i = 0; i < group.light_count; ++i) {
     const DirectionalLight& light = lighting.lights[i];
     const Direction towards_model = transform.rotation.transposed() * light.towards;
-    // A packed normal of length 511 and six bits that are shifted out again.
+    // ModelLight::on divides by 2^6 and by the length of a packed normal, 511, is divided out here.
     const auto component = [&](Q2_30 c) {
       return static_cast<std::int32_t>(multiply<Fixed<16>>(c, light.intensity).raw() * std::int64_t{64} / 511);
     };
@@ -23,7 +23,8 @@ void set_lights(const Lighting& lighting, const Transform& transform, ShadingGro
 
 namespace {
 
-/// Shades of vertices without colours under a single light: most meshes, and a loop that keeps the light in registers.
+/// Shades of vertices without colours under a single light. Most meshes are of this kind, and the loop keeps the light
+/// in registers.
 void shade_by_one_light(std::span<const PackedNormal> normals, std::int32_t ambient, ModelLight light,
                         std::uint32_t* shades) {
   for (const PackedNormal normal : normals) {
@@ -38,7 +39,7 @@ void shade_vertices(const Mesh& mesh, const ShadingGroup& group, std::uint32_t* 
   if (mesh.vertex_colours.empty() && !mesh.vertex_normals.empty() && group.light_count == 1)
     return shade_by_one_light(mesh.vertex_normals, group.ambient, group.lights[0], shades);
   const std::size_t count = mesh.vertex_count();
-  const ShadingGroup lit = group;  // a copy that no store can alias
+  const ShadingGroup lit = group;  // a local copy, which stores to `shades` cannot alias
   for (std::size_t i = 0; i < count; ++i) {
     const Intensity intensity = mesh.vertex_normals.empty() ? Intensity{65535} : lit.intensity(mesh.vertex_normals[i]);
     shades[i] = mesh.vertex_colours.empty() ? gouraud::shade_of(intensity)

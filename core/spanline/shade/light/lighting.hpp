@@ -9,15 +9,14 @@
 
 namespace spanline {
 
-/// Turns the frame's lights into the axes of an instance's mesh (its rotation, transposed) and sets the group's ambient
-/// light.
+/// Rotates the frame's lights into the axes of an instance's mesh and sets the group's ambient light.
 void set_lights(const Lighting& lighting, const Transform& transform, ShadingGroup& group);
 
-/// Gouraud light: a shade for every vertex of the mesh, of the kind that its colours ask for.
+/// Gouraud shading: computes the shade of every vertex of the mesh; whether the mesh has colours decides the kind.
 void shade_vertices(const Mesh& mesh, const ShadingGroup& group, std::uint32_t* shades);
 
-/// The kind of shade that a mesh's vertices get: highlights have a colour of their own, and solids get theirs at each
-/// pixel.
+/// The kind of shade that a mesh's vertices get. Highlights need a coloured shade, because they have their own colour;
+/// solids need intensities, because their colour is found at each pixel.
 [[nodiscard]] inline vertex_shade::Kind shade_kind(const Mesh& mesh, const Material& material) {
   if (material.shines() && material.volume.source != SolidSource::none)
     return vertex_shade::Kind::highlight_and_intensity;

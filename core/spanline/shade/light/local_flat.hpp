@@ -8,8 +8,8 @@
 
 namespace spanline {
 
-/// One colour a polygon under all that `LocalLighting` knows: point lights and highlights. In a renderer's list it
-/// stands for flat shading in such light, and lets vertices have it too.
+/// Flat shading under everything that `LocalLighting` supports: point lights and highlights. A renderer with this
+/// shader in its list uses it for flat shading in such light, and then also lights vertices that way.
 template <class Format>
 struct LocalFlatShader : FlatShader<Format> {
   using typename FlatShader<Format>::Surface;

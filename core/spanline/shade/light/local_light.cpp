@@ -13,12 +13,12 @@ namespace {
 
 constexpr std::uint32_t full = 65535;
 constexpr std::int32_t unit = 1 << 30;
-/// Fraction bits of a step where nothing is far away, and bits of a coordinate.
+/// The most fraction bits of a mesh step, used where nothing is far away, and the bits of a coordinate.
 constexpr int finest_exponent = 8, coordinate_bits = 44;
 
-/// N·v in Q30 for a packed normal and a unit vector.
+/// N·v, Q30, of a packed normal and a unit vector.
 std::int32_t on(PackedNormal n, const Direction& v) {
-  // Components of 20 fraction bits, so that 32 bits hold the sum.
+  // Components are cut to 20 fraction bits, so that the sum fits 32 bits.
   const std::int32_t sum = n.x() * (v.x.raw() >> 10) + n.y() * (v.y.raw() >> 10) + n.z() * (v.z.raw() >> 10);
   constexpr std::int64_t q30_a_unit = ((std::int64_t{1} << 42) + 255) / 511;
   return static_cast<std::int32_t>((sum * q30_a_unit) >> 32);
@@ -28,9 +28,10 @@ std::int32_t product(std::int32_t a, std::int32_t b) {
   return static_cast<std::int32_t>((static_cast<std::int64_t>(a) * b) >> 30);
 }
 
-/// (1 − square/range²)² in 65536ths.
+/// The fading of a point light with distance, (1 − distance²/range²)², 65536ths.
 std::uint32_t fading(const DirectedLength& distance, std::int64_t range) {
-  // Both in the distance's units, in which it has 30 bits; then the range cut to 31.
+  // The range is converted to the units of the distance, which has 30 bits. Both are then shifted so that the range
+  // fits 31 bits.
   const int range_bits = 64 - leading_zeros_64(static_cast<std::uint64_t>(range) | 1) - distance.exponent;
   if (range_bits > 60) return 65536;
   std::int64_t scaled =
@@ -40,7 +41,7 @@ std::uint32_t fading(const DirectedLength& distance, std::int64_t range) {
   const std::uint64_t square = distance.square >> 2 * excess;
   const auto whole = static_cast<std::uint64_t>(scaled) * static_cast<std::uint64_t>(scaled);
   if (square >= whole) return 0;
-  // Both below 2^62; 16 bits of a quotient.
+  // Both squares are below 2^62; the quotient needs 16 fraction bits.
   const std::uint64_t share = (whole >> 46) != 0 ? square / (whole >> 16) : (square << 16) / whole;
   const std::uint32_t left = share >= 65536 ? 0 : 65536 - static_cast<std::uint32_t>(share);
   return static_cast<std::uint32_t>((std::uint64_t{left} * left) >> 16);
@@ -56,7 +57,8 @@ LocalLighting::LocalLighting(const Lighting& lighting, const Camera& camera, con
       backwards_(transform.rotation.transposed() * camera.axes.row[2]),
       specular_(material.specular),
       shininess_(std::clamp<std::uint8_t>(material.shininess, 1, 128)) {
-  // Coordinates of the farthest thing must fit: differences of positions have at most 2^17 world units a component.
+  // The exponent leaves room for the farthest point: a difference of positions has at most 2^17 world units a
+  // component.
   constexpr int world_log2 = 19;
   const int scale_log2 =
       64 - leading_zeros_64(static_cast<std::uint64_t>(std::max<std::int32_t>(1, transform.scale.raw()))) - 24;
@@ -83,7 +85,8 @@ LocalLighting::LocalLighting(const Lighting& lighting, const Camera& camera, con
   eye_ = local_point(camera.eye, transform);
 }
 
-/// World units of so many fraction bits in the mesh's: divided by the scale, whose own are 24, and by 2^step_exponent.
+/// Converts a length in world units with `fraction_bits` fraction bits to units of the mesh: divides it by the scale,
+/// which has 24 fraction bits, and by 2^step_exponent.
 std::int64_t LocalLighting::local_length(std::int64_t numerator, int fraction_bits, const Transform& transform) const {
   if (numerator == 0) return 0;
   const auto size = static_cast<std::uint64_t>(numerator < 0 ? -numerator : numerator);

@@ -10,19 +10,20 @@
 
 namespace spanline {
 
-/// What reaches the eye from a point of a surface: of its colour, and of its highlights' colour.
+/// The light that a point of a surface reflects to the eye, split by the colour that it multiplies: the surface's, and
+/// the highlights'.
 struct SurfaceLight {
-  Intensity diffuse, highlight;  ///< [0, 65535]
+  Intensity diffuse, highlight;  /// 1/65536, [0, 65535]
 };
 
-/// Light that depends on where a surface is, and on the eye: every light of a frame, of either kind, and the highlights
-/// of a material, as one instance sees them, in its mesh's own axes.
+/// Light that depends on the position of a surface and of the eye: all lights of a frame, directional and point lights,
+/// and the highlights of a material. It is computed for one instance, in the axes of its mesh.
 ///
 ///     diffuse   = min(1, ambient + Σ i · max(0, N·L))
 ///     highlight = min(1, Σ i · max(0, R·V)^shininess) over the lights with N·L > 0, R = 2(N·L)N − L
 ///
-/// with L towards the light, V towards the eye, and i its intensity there (lecture 003; Phong 1975). An orthographic
-/// view has the same V everywhere. Within 1/1024 of the formula (tested).
+/// where L points to the light, V points to the eye, and i is the light's intensity at the surface (lecture 003; Phong
+/// 1975). In an orthographic view V is constant. The error is at most 1/1024 (tested).
 class LocalLighting {
  public:
   LocalLighting() = default;
@@ -32,20 +33,20 @@ class LocalLighting {
   [[nodiscard]] bool shines() const { return specular_ != Rgb888{0, 0, 0}; }
   [[nodiscard]] Rgb888 specular() const { return specular_; }
 
-  /// The light on a vertex of the mesh; full where it has no normals.
+  /// The light at a vertex of the mesh; full light if the mesh has no normals.
   [[nodiscard]] SurfaceLight at_vertex(std::size_t vertex) const;
-  /// The light on a polygon of the mesh: at the mean of its corners. In a mesh with polygons of more than three corners
-  /// it counts its way to the polygon.
+  /// The light on a polygon of the mesh, taken at the mean of its corners. In a mesh with polygons of more than three
+  /// corners the polygon is found by counting from the first one.
   [[nodiscard]] SurfaceLight on_polygon(std::uint32_t polygon) const;
 
  private:
-  /// Units of 2^-exponent_ steps of the mesh.
+  /// A position in the mesh's axes, units of 2^-exponent_ mesh steps.
   using Point = Vec3<std::int64_t>;
   struct Light {
-    Direction towards;  ///< of a directional light
-    Point position;     ///< of a point light
+    Direction towards;  /// unit vector to the light; directional lights only
+    Point position;     /// point lights only
     std::int64_t range;
-    std::uint32_t intensity;  ///< 1/65536
+    std::uint32_t intensity;  /// 1/65536
     bool point;
   };
 
@@ -60,16 +61,16 @@ class LocalLighting {
   std::uint32_t light_count_ = 0;
   Light lights_[2 * Lighting::max_lights] = {};
   bool local_eye_ = false;
-  Point eye_{};          ///< in perspective
-  Direction backwards_;  ///< in an orthographic view
+  Point eye_{};          /// position of the eye; perspective views only
+  Direction backwards_;  /// unit vector to the eye; orthographic views only
   Rgb888 specular_{0, 0, 0};
   std::uint8_t shininess_ = 1;
 };
 
-/// Gouraud light: a shade for every vertex of the mesh. With highlights all are lit colours, otherwise as in
-/// `shade_vertices`.
+/// Gouraud shading: computes the shade of every vertex of the mesh. With highlights all shades are lit colours;
+/// otherwise their kind is that of `shade_vertices`.
 void shade_vertices_locally(const Mesh& mesh, Rgb888 colour, const LocalLighting& lighting, std::uint32_t* shades);
-/// The same for solids: light and highlight (Kind::highlight_and_intensity).
+/// Computes the shades of a solid's vertices: intensity and highlight (Kind::highlight_and_intensity).
 void shade_solid_vertices_locally(const Mesh& mesh, const LocalLighting& lighting, std::uint32_t* shades);
 
 }  // namespace spanline

@@ -10,16 +10,16 @@
 
 namespace spanline {
 
-/// A shader whose pixels are worked out one by one from texture coordinates and light, by what a polygon's `Kind`, a
-/// PixelwiseSurface, makes of them:
+/// A shader that computes each pixel from texture coordinates and light. How it does so is up to `Kind`, a
+/// PixelwiseSurface that holds the state of a polygon and has these members:
 ///
 ///     LitTexel texel(u, v, light) const
 ///     static bool serves(const Material&, bool vertex_colours)
 ///     template <class Gradients> void make_kind(const ShadingGroup&, const PolygonCorners&, const Gradients&)
 ///     static SurfaceLight flat_light(const ShadingGroup&, Link polygon)  // 16 bits each, as vertex shades are
 ///
-/// The light is made here: of the vertices' shades, or the same all over a polygon; and so are highlights, fog and
-/// dither.
+/// This shader supplies the light, either interpolated from the vertices' shades or constant over a polygon, and adds
+/// highlights, fog and dither.
 template <class Format, class Kind>
 struct PixelwiseShader {
   using Pixel = typename Format::Pixel;

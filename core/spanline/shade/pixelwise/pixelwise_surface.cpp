@@ -9,7 +9,9 @@ namespace spanline {
 
 std::uint16_t PixelwiseSurface::finished(const LitTexel& texel, std::int32_t column) const {
   constexpr std::int32_t half = 1 << 15;
-  const auto amount = [](std::uint32_t share) { return signed_word(share + (share >> 15)); };  // 65535 is all of it
+  const auto amount = [](std::uint32_t share) {
+    return signed_word(share + (share >> 15));
+  };  // makes 65535, full light, 65536
   const Colour888 own = Colour888::from(widened(texel.rgb565));
   Colour888 colour =
       Colour888::of([&, shade = amount(texel.light)](auto channel) { return (own.*channel * shade + half) >> 16; });

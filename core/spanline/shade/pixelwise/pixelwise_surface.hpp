@@ -9,16 +9,16 @@
 
 namespace spanline {
 
-/// What every polygon keeps whose pixels are worked out one by one.
+/// The state of any polygon whose pixels are computed one by one.
 struct PixelwiseSurface {
   TexturePlane plane;
-  LinearFunction light;      ///< 1/65536, 16 guard bits
-  LinearFunction highlight;  ///< likewise; where the material shines
-  LinearFunction nearness;   ///< for fog
+  LinearFunction light;      /// intensity, 1/65536 with 16 guard bits
+  LinearFunction highlight;  /// intensity of the highlight in the same format, if the material has highlights
+  LinearFunction nearness;   /// position in the fog table, in frames with fog
   const TexturedGroup* group;
-  bool plain;  ///< neither highlights nor effects of the frame
+  bool plain;  /// there are no highlights, fog or dither
   bool shines;
-  std::uint16_t row;  ///< of the screen
+  std::uint16_t row;  /// screen row, pixels
 
   void skip_rows(std::int32_t rows) {
     plane.skip_rows(rows);
@@ -28,7 +28,7 @@ struct PixelwiseSurface {
     row = static_cast<std::uint16_t>(row + rows);
   }
 
-  /// RGB565 of a texel in a column: lit, then with what is not plain.
+  /// The RGB565 pixel of a texel in a column: the texel is lit, and then gets highlights, fog and dither.
   [[nodiscard]] std::uint16_t pixel(const LitTexel& texel, std::int32_t column) const {
     return plain ? lit_rgb565(texel.rgb565, texel.light) : finished(texel, column);
   }

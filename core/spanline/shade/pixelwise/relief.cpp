@@ -11,14 +11,14 @@ constexpr unsigned steps_a_unit = 64;
 constexpr std::array<std::uint8_t, 8 * steps_a_unit + 1> shortening = [] {
   std::array<std::uint8_t, 8 * steps_a_unit + 1> table{};
   for (std::size_t i = 0; i < table.size(); ++i) {
-    // Twice the value, for rounding: 2 · 256 · √(64 / (64 + i)), at the middle of what falls into the entry.
+    // Twice the value, for rounding: 2 · 256 · √(64 / (64 + i)), taken at the middle of the entry's interval.
     const std::uint64_t square = (std::uint64_t{1} << 18) * 2 * steps_a_unit / (2 * steps_a_unit + 2 * i + 1);
     table[i] = static_cast<std::uint8_t>((square_root(square) + 1) / 2 - 1);
   }
   return table;
 }();
 
-/// The sum of the group's lights, in their units: what a packed normal meets.
+/// The sum of the group's lights, in the units of ModelLight.
 Vec3<std::int32_t> sum_of_lights(const ShadingGroup& group) {
   Vec3<std::int32_t> sum{};
   for (unsigned i = 0; i < group.light_count; ++i)
@@ -26,17 +26,17 @@ Vec3<std::int32_t> sum_of_lights(const ShadingGroup& group) {
   return sum;
 }
 
-/// The light along a direction, 2^14.
+/// The light that falls along a unit direction, 2^14 for full light; negative from behind.
 std::int32_t along(const Vec3<std::int32_t>& lights, const Direction& direction) {
   const auto part = [](std::int32_t light, Q2_30 d) { return static_cast<std::int64_t>(light) * d.raw(); };
-  // A light's unit is 65536 · 64 / 511.
+  // A component of ModelLight is in units of 1/(65536 · 64 / 511).
   return static_cast<std::int32_t>(
       ((part(lights.x, direction.x) + part(lights.y, direction.y) + part(lights.z, direction.z)) >> 16) * 511 >> 22);
 }
 
-/// A component of a direction on a screen of eight neighbours.
+/// One component, −1, 0 or 1, of the step to that of the eight neighbours of a texel which lies nearest to a direction.
 std::int32_t to_neighbour(std::int32_t part, std::int32_t other) {
-  constexpr std::int32_t tangent = 106;  // of 22.5°, in 256ths
+  constexpr std::int32_t tangent = 106;  // tangent of 22.5°, 256ths
   const auto size = [](std::int32_t v) { return v < 0 ? -v : v; };
   if (size(part) * 256 <= size(other) * tangent) return 0;
   return part < 0 ? -1 : 1;
@@ -47,7 +47,7 @@ std::int32_t to_neighbour(std::int32_t part, std::int32_t other) {
 std::uint32_t relief_light::shade(const ShadingGroup& group, std::span<const PackedNormal> normals,
                                   std::size_t number) {
   if (normals.empty()) return word(zero);
-  std::int32_t sum = 0;  // negative where the normal looks away
+  std::int32_t sum = 0;  // of all lights; negative where the normal points away from them
   for (unsigned i = 0; i < group.light_count; ++i) sum += group.lights[i].on(normals[number]);
   return word(coded(sum));
 }
@@ -69,8 +69,8 @@ void ReliefSurface::set_polygon(const ShadingGroup& shading, std::uint32_t polyg
   const Vec3<std::int64_t> a = position(0), e = position(1) - a, f = position(2) - a;
   const TextureVertex &ta = group->vertices[corner[0]], &tb = group->vertices[corner[1]],
                       &tc = group->vertices[corner[2]];
-  // The plane is e = ∂s·es + ∂t·et and f likewise: ∂s = (e·ft − f·et) / det, ∂t = (f·es − e·fs) / det. Texture
-  // coordinates lose their low bits, so that 62 bits hold the products.
+  // The sides of the polygon are e = ∂s·es + ∂t·et and f = ∂s·fs + ∂t·ft, hence ∂s = (e·ft − f·et) / det and ∂t = (f·es
+  // − e·fs) / det. The low bits of texture coordinates are dropped, so that the products fit 62 bits.
   const auto texels = [](std::int32_t to, std::int32_t from) { return (static_cast<std::int64_t>(to) - from) >> 5; };
   std::int64_t es = texels(tb.s, ta.s), et = texels(tb.t, ta.t), fs = texels(tc.s, ta.s), ft = texels(tc.t, ta.t);
   if (es * ft - fs * et < 0) {
@@ -88,8 +88,9 @@ void ReliefSurface::set_polygon(const ShadingGroup& shading, std::uint32_t polyg
   turned = 0;
   const Relief& relief = group->pixelwise->relief;
   if (relief.kind == ReliefKind::bump) {
-    // Slopes in 256ths: half a difference of 255ths is depth/510.
-    factor = static_cast<std::int32_t>(relief.depth.raw() / 510);  // 2^16 a texel of depth
+    // Slopes are in 256ths. A slope is half the difference of two heights, which are 255ths of the depth: difference ·
+    // depth / 510.
+    factor = static_cast<std::int32_t>(relief.depth.raw() / 510);  // 2^16 for a depth of one texel
     return;
   }
   factor = cosine(relief.turn).raw() >> 16;
@@ -118,7 +119,7 @@ std::uint32_t ReliefSurface::light_at(std::uint32_t u, std::uint32_t v, std::int
     lit -= (p * along_s + q * along_t) >> 8;
     lit = lit * (shortening[word(p * p + q * q) >> 10] + 1) >> 8;
   } else {
-    constexpr std::int32_t step = 8;  // of 255
+    constexpr std::int32_t step = 8;  // smaller height differences have no effect, 255ths
     const std::int32_t fall = height(x, y) - height(x + word(along_s), y + word(along_t));
     if (fall > step || fall < -step) lit = (lit * factor >> 14) + (fall > 0 ? turned : -turned);
   }
@@ -130,7 +131,7 @@ LitTexel ReliefSurface::texel(std::uint32_t u, std::uint32_t v, std::uint32_t li
   const std::uint32_t amount = light_at(u, v, relief_light::decoded(light_word));
   const Texture* texture = group->texturing.texture;
   if (texture == nullptr) return {colour, amount};
-  // From texels of the heights to those of the texture.
+  // Converts texels of the height map to texels of the texture.
   const HeightMap& map = *group->pixelwise->relief.heights;
   const auto scaled = [](std::uint32_t coordinate, unsigned from, unsigned to) {
     const unsigned shift = 16 + from;

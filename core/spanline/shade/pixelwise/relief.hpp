@@ -12,33 +12,35 @@
 
 namespace spanline {
 
-/// Signed light of vertices and polygons: 2^14 stands for full light, in [−2, 2], as 16-bit values that keep off the
-/// ends for interpolation.
+/// The signed light on vertices and polygons under relief: 2^14 is full light, the range is [−2, 2]. It is coded as 16
+/// bits that stay clear of both ends of their range, so that interpolation cannot overflow.
 namespace relief_light {
 inline constexpr std::int32_t zero = 1 << 15;
-/// Of 65536ths.
+/// Codes a signed light in 65536ths.
 [[nodiscard]] constexpr std::int32_t coded(std::int32_t light) {
   return std::clamp<std::int32_t>((light >> 2) + zero, 64, 65471);
 }
 [[nodiscard]] constexpr std::int32_t decoded(std::uint32_t value) {
   return static_cast<std::int32_t>(value >> 16) - zero;
 }
-/// The coded light on a normal of a table; none where there are no normals.
+/// The coded light on a normal of a table; the code of no light if the table is empty.
 [[nodiscard]] std::uint32_t shade(const ShadingGroup& group, std::span<const PackedNormal> normals, std::size_t number);
 }  // namespace relief_light
 
-/// A shade for every vertex of a mesh under relief, for smooth shading.
+/// Computes a shade for every vertex of a mesh under relief, for smooth shading.
 void shade_vertices_for_relief(const Mesh& mesh, const ShadingGroup& group, std::uint32_t* shades);
 
-/// What a polygon under relief keeps: coordinates in texels of its heights with 16 fraction bits, and N·L as its light.
+/// The state of a polygon under relief. Its texture coordinates are texels of the height map, 16 fraction bits, and its
+/// light is N·L.
 struct ReliefSurface : PixelwiseSurface {
-  std::int32_t along_s, along_t;  ///< bump: T·L and B·L, 2^14. Emboss: the way to the light, −1 … 1 texels each
-  std::int32_t turned;            ///< emboss: what the turn adds, 2^14
-  std::int32_t factor;            ///< bump: a difference of heights as a slope, 2^16. Emboss: the turn's cosine, 2^14
+  std::int32_t along_s,
+      along_t;          /// bump: T·L and B·L, 2^14. Emboss: the step towards the light, −1, 0 or 1 texel each way
+  std::int32_t turned;  /// emboss: light added by turning the normal, 2^14
+  std::int32_t factor;  /// bump: slope for a height difference of 1, 2^16. Emboss: cosine of the turn, 2^14
   std::uint16_t ambient;
-  std::uint16_t colour;  ///< RGB565, where there is no texture
+  std::uint16_t colour;  /// RGB565; used without a texture
 
-  /// The light in 65535ths.
+  /// The light at a point of the height map, 65535ths.
   [[nodiscard]] std::uint32_t light_at(std::uint32_t u, std::uint32_t v, std::int32_t facing) const;
   [[nodiscard]] LitTexel texel(std::uint32_t u, std::uint32_t v, std::uint32_t light_word) const;
 
@@ -60,12 +62,12 @@ struct ReliefSurface : PixelwiseSurface {
   }
 
  private:
-  /// The directions of the texture on the mesh's polygon, and the light along them.
+  /// Finds the directions of the texture's axes on a polygon of the mesh, and the light along them.
   void set_polygon(const ShadingGroup& shading, std::uint32_t polygon);
 };
 
-/// Bump mapping and embossing, flat or smooth, over a colour or a texture at its nearest texels; one light (model/
-/// relief.hpp). Within 1/100 of full light (tested).
+/// Bump mapping and embossing (model/relief.hpp), flat or smooth, over a colour or the nearest texels of a texture,
+/// under one light. The error is below 1/100 of full light (tested).
 template <class Format>
 using ReliefShader = PixelwiseShader<Format, ReliefSurface>;
 

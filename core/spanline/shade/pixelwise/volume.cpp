@@ -12,7 +12,8 @@ TexturePlaneValues VolumeGeometry::set(const std::array<Point, 3>& points,
   corner = {to_word(a.s), to_word(a.t), to_word(a.r)};
   e = {side(b.s, a.s), side(b.t, a.t), side(b.r, a.r)};
   f = {side(c.s, a.s), side(c.t, a.t), side(c.r, a.r)};
-  // Cells that the longer side goes through: what is straight enough is measured by them.
+  // The number of cells along the longest side: the plane counts them as texels when it decides whether affine mapping
+  // is accurate enough.
   std::uint32_t longest = 1;
   for (unsigned i = 0; i < 3; ++i) longest = std::max({longest, magnitude(e[i]), magnitude(f[i])});
   const int cells = std::clamp(32 - leading_zeros_32(longest) - 16 + static_cast<int>(log2_size), 0, 8);

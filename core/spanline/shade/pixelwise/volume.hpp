@@ -11,7 +11,8 @@
 
 namespace spanline {
 
-/// The solid of a table. A solid tells RGB565 at a point whose coordinates are 2^-32 of the cube that repeats.
+/// A solid given by a table. A solid gives the RGB565 colour at a point, whose coordinates are in 2^-32 of the
+/// repeating cube.
 struct TableSolid {
   static constexpr SolidSource source = SolidSource::table;
   [[nodiscard]] static std::uint16_t at(const Volume& volume, std::uint32_t s, std::uint32_t t, std::uint32_t r) {
@@ -22,12 +23,12 @@ struct TableSolid {
   }
 };
 
-/// What a polygon of a solid keeps. A point of it is corner + a·e + b·f, with e and f its sides and (a, b) a pair of
-/// texture coordinates of its own, 24 fraction bits, which are 0 or 1 at the corners and in perspective what they
-/// should be between.
+/// The state of a polygon of a solid. A point of the polygon is corner + a·e + b·f, where e and f are two of its sides.
+/// (a, b) are texture coordinates with 24 fraction bits that are 0 or 1 at the corners and are interpolated between
+/// them in correct perspective.
 struct VolumeGeometry : PixelwiseSurface {
-  std::array<std::uint32_t, 3> corner;  ///< s, t and r, 2^-32 cubes
-  std::array<std::int32_t, 3> e, f;     ///< 2^-16 cubes
+  std::array<std::uint32_t, 3> corner;  /// s, t and r of the first corner, 2^-32 cubes
+  std::array<std::int32_t, 3> e, f;     /// sides from the first corner, 2^-16 cubes
 
   [[nodiscard]] std::uint32_t coordinate(unsigned axis, std::uint32_t a, std::uint32_t b) const {
     const std::int32_t share_a = signed_word(a) >> 8, share_b = signed_word(b) >> 8;
@@ -37,12 +38,12 @@ struct VolumeGeometry : PixelwiseSurface {
   struct Point {
     std::int32_t s, t, r;  ///< 2^-20 cubes
   };
-  /// The sides, and the values that fit the plane.
+  /// Sets corner and sides; returns the values to which the plane of (a, b) is fitted.
   [[nodiscard]] TexturePlaneValues set(const std::array<Point, 3>& points,
                                        const std::array<std::uint32_t, 3>& of_corners, unsigned log2_size);
 };
 
-/// A surface of a solid that `Solid` knows, flat or smooth.
+/// A surface of a solid, flat or smooth; `Solid` gives its colours.
 template <class Solid>
 struct VolumeSurface : VolumeGeometry {
   [[nodiscard]] LitTexel texel(std::uint32_t a, std::uint32_t b, std::uint32_t light_word) const {
@@ -76,7 +77,8 @@ struct VolumeSurface : VolumeGeometry {
   }
 };
 
-/// Surfaces of solids (model/volume.hpp): of a table, or of any struct like `TableSolid` with `source` function.
+/// Shades surfaces of solids (model/volume.hpp). `Solid` is TableSolid or a struct with the same members whose colours
+/// come from a function.
 template <class Format, class Solid = TableSolid>
 struct VolumeShader : PixelwiseShader<Format, VolumeSurface<Solid>> {
   static constexpr bool volumetric = true;
