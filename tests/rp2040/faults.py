@@ -54,6 +54,15 @@ def reset_in_mid_frame(tools, folder):
     require_last(tools, PANEL, folder, 6)
 
 
+def hang(tools, folder):
+    """The program hangs in the third frame: the watchdog resets the chip, and all begins anew."""
+    report = board.run("turntable_stops", f"{folder}/trace", "--until", board.SHOWN, "--hang", str(MID_FRAME))
+    if report["resets"] != 1:
+        raise Failure(f"the watchdog has reset the chip {report['resets']} times, expected once")
+    require_text(report, "frame 6 shown")
+    require_last(tools, PANEL, folder, 6)
+
+
 def slow_clock(tools, folder):
     """The divider gives 31.25 MHz where 50 were asked for."""
     report = board.run("turntable_slow_stops", f"{folder}/trace", "--until", board.SHOWN)
@@ -73,6 +82,7 @@ CASES = {
     "transfer": transfer_that_never_ends,
     "fill": fill_that_never_ends,
     "absent": absent_panel,
+    "hang": hang,
     "reset": reset_in_mid_frame,
     "clock": slow_clock,
     "slow": slow_bytes,

@@ -6,6 +6,7 @@
 //   --stick BYTE         the serial interface stops for good at that byte, until the program has noticed
 //   --stick-fill NUMBER  the DMA's transfer from memory to memory with that number never ends
 //   --reset-at BYTE      somebody presses reset at that byte
+//   --hang BYTE          the program hangs at that byte, until the watchdog resets the chip
 //   --absent             nothing is plugged in where an ILI9341 is expected, until the program has noticed
 //   --ili9341            an ILI9341 answers when it is asked who it is
 //   --slowness FACTOR    bytes take so many times longer than the serial clock says
@@ -26,6 +27,7 @@ const { values: options, positionals } = parseArgs({
     stick: { type: "string", default: "Infinity" },
     "stick-fill": { type: "string", default: "Infinity" },
     "reset-at": { type: "string", default: "Infinity" },
+    hang: { type: "string", default: "Infinity" },
     absent: { type: "boolean", default: false },
     ili9341: { type: "boolean", default: false },
     slowness: { type: "string", default: "1" },
@@ -51,6 +53,7 @@ const pico = new Pico(positionals[0], {
 });
 pico.stickAt = Number(options.stick);
 pico.stickFillAt = Number(options["stick-fill"]);
+pico.hangAt = Number(options.hang);
 pico.slowness = Number(options.slowness);
 if (options.ili9341 && !options.absent) pico.identity = ILI9341;
 const resetAt = Number(options["reset-at"]);

@@ -18,6 +18,10 @@ const LOCKUP = 125;
 const NO_MPU = /^Unimplemented peripheral write to 0x(d9|da)/;
 const pins = { chipSelect: 17, dataCommand: 20, reset: 21 };
 const watchdogLoad = 0x04;
+const watchdogSelect = 0x08;
+// Every block of the power-on state machine but the two oscillators (RP2040 data sheet, section 2.13).
+const ALL_BUT_OSCILLATORS = 0x1fffc;
+const serialPrescaler = 0x10;
 const SPI0_RESET = 1 << 16;
 const UNPACED = 0x3f;
 
@@ -82,6 +86,8 @@ export class Pico {
   stickAt = Infinity;
   /** Number of the transfer from memory to memory that never gets going. */
   stickFillAt = Infinity;
+  /** Number of bytes sent at which the program hangs, interrupts and all, until something resets the chip. */
+  hangAt = Infinity;
   /** How many times longer than its clock says a byte takes. */
   slowness = 1;
   /** What the display answers when it is asked who it is: {command, answer}. Without, its line stays high. */
@@ -93,6 +99,7 @@ export class Pico {
   #elf;
   #stopped = false;
   #bytesSent = 0;
+  #hung = false;
   #fills = 0;
   #answer = [];
   #exit = null;
@@ -178,8 +185,15 @@ export class Pico {
       const duration = (spi.dataBits / spi.clockFrequency) * 1e9 * this.slowness;
       this.trace.add(answering ? Kind.read : Kind.byte, this.nanos + duration, levels, value);
       this.wireCycles += duration / 8;
-      if (++this.#bytesSent >= this.stickAt) this.#stopped = true;
+      if (++this.#bytesSent === this.hangAt) this.#hung = true;
+      if (this.#bytesSent >= this.stickAt) this.#stopped = true;
       else done.schedule(duration);
+    };
+    // The PL022 is configured while it is off; rp2040js takes a new clock at any time.
+    const writeSerial = spi.writeUint32.bind(spi);
+    spi.writeUint32 = (offset, value) => {
+      if (offset === serialPrescaler && spi.enabled) this.complaints.push("SPI0: the prescaler changes while the port is on");
+      writeSerial(offset, value);
     };
     // Taking the block into reset empties it, which rp2040js leaves out.
     const resets = mcu.peripherals[0x4000c];
@@ -229,8 +243,14 @@ export class Pico {
       if (offset === watchdogLoad) this.fed.push(this.cycles);
       write(offset, value);
     };
+    // A watchdog that runs out resets the blocks that the power-on state machine is told to, none after power-up. rp2040js
+    // says that it ran out, whatever is selected.
     watchdog.onWatchdogTrigger = () => {
-      if (this.mcu === mcu) this.pendingReset = true;
+      watchdog.timer.enable = false; // it runs out once; rp2040js's would ring for ever
+      if (this.mcu !== mcu) return;
+      const selected = mcu.peripherals[0x40010].readUint32(watchdogSelect);
+      if (selected === ALL_BUT_OSCILLATORS) this.pendingReset = true;
+      else this.complaints.push(`watchdog: it resets the blocks 0x${selected.toString(16)}, which is not the whole chip`);
     };
   }
 
@@ -248,6 +268,7 @@ export class Pico {
     ++this.resets;
     this.#pastCycles += this.core.cycles;
     this.pendingReset = false;
+    this.#hung = false;
     for (const channel of this.mcu.dma.channels) channel.abort();
     this.#answer = [];
     this.#powerUp();
@@ -264,7 +285,7 @@ export class Pico {
   #step() {
     const { core } = this;
     const cycleNanos = 1e9 / this.mcu.clkSys;
-    if (core.waiting) {
+    if (core.waiting || this.#hung) {
       const nanos = Math.max(this.#clock.nanosToNextAlarm, cycleNanos);
       core.cycles += Math.round(nanos / cycleNanos);
       this.#clock.tick(nanos);

@@ -80,6 +80,7 @@ extern "C" void board_set_up() {
   use_reference();
   start_pll();
   use_pll();
+  io(power_on::watchdog_select) = power_on::all_but_oscillators;
   io(watchdog::tick) = watchdog::tick_enable | crystal_hz / 1'000'000;
   resets::release(resets::io_bank0 | resets::pads_bank0 | resets::timer);
 }

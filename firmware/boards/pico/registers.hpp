@@ -37,6 +37,14 @@ inline void restart(std::uint32_t blocks) {
 }
 }  // namespace resets
 
+/// What the watchdog resets, a bit a block of the power-on state machine (section 2.13). After power-up no bit is set, and
+/// a watchdog that runs out resets nothing. The oscillators stay: a reset must not stop the clock that it runs on.
+namespace power_on {
+inline constexpr std::uintptr_t watchdog_select = 0x40010008;
+inline constexpr std::uint32_t all_blocks = (1U << 17) - 1, ring_oscillator = 1U << 0, crystal_oscillator = 1U << 1;
+inline constexpr std::uint32_t all_but_oscillators = all_blocks & ~(ring_oscillator | crystal_oscillator);
+}  // namespace power_on
+
 /// Pins (section 2.19): the function select of a pin's control register.
 namespace pins {
 inline constexpr std::uint32_t spi = 1, uart = 2, sio = 5;

@@ -95,6 +95,13 @@ struct Divider {
 static_assert(Divider::at_most(62'500'000).clock_hz == 62'500'000);
 static_assert(Divider::at_most(62'499'999).clock_hz == 31'250'000);
 
+/// The prescaler is changed only while the port is off (Arm PL022, DDI 0194H, "Configuring the PrimeCell SSP").
+void set_clock(Divider divider) {
+  io(spi_control_1) = 0;
+  io(spi_prescale) = divider.prescaler;
+  io(spi_control_1) = control_1_enable;
+}
+
 void set_up_pins() {
   constexpr std::uint32_t outputs =
       bit(pin::chip_select) | bit(pin::data_command) | bit(pin::reset) | bit(pin::backlight);
@@ -136,11 +143,9 @@ SpiBus::SpiBus(std::uint32_t asked_hz) : asked_hz_(asked_hz), clock_hz_(Divider:
 void SpiBus::set_up() const {
   resets::restart(resets::spi0 | resets::dma);
   set_up_pins();
-  io(spi_control_1) = 0;
-  io(spi_prescale) = Divider::at_most(asked_hz_).prescaler;
   io(spi_control_0) = eight_bits_mode_3;
   io(spi_dma) = dma_transmit;
-  io(spi_control_1) = control_1_enable;
+  set_clock(Divider::at_most(asked_hz_));
   queue.started = 0;
   queue.added = 0;
   set_up_dma();
@@ -192,7 +197,8 @@ hal::DisplayStatus SpiBus::read_bytes(std::uint8_t command, std::span<std::uint8
   constexpr std::uint32_t read_hz = 5'000'000;
   if (!wait_until(status_busy, 0)) return hal::DisplayStatus::bus_timeout;
   drain_receiver();
-  io(spi_prescale) = Divider::at_most(read_hz).prescaler;
+  set_level(pin::chip_select, true);  // the serial clock may move while the port is off
+  set_clock(Divider::at_most(read_hz));
   set_level(pin::chip_select, false);
   set_level(pin::data_command, false);
   bool good = send(std::span(&command, 1));
@@ -204,7 +210,7 @@ hal::DisplayStatus SpiBus::read_bytes(std::uint8_t command, std::span<std::uint8
     byte = static_cast<std::uint8_t>(io(spi_data));
   }
   set_level(pin::chip_select, true);
-  io(spi_prescale) = Divider::at_most(asked_hz_).prescaler;
+  set_clock(Divider::at_most(asked_hz_));
   return good ? hal::DisplayStatus::ok : hal::DisplayStatus::bus_timeout;
 }
 
