@@ -9,7 +9,7 @@
 #include "picture_memory.hpp"
 #include "spanline/frame/ready_made_traits.hpp"
 #include "spanline/frame/renderer.hpp"
-#include "spanline/hal/present.hpp"
+#include "spanline/hal/display_sink.hpp"
 #include "spanline/model/cull.hpp"
 
 namespace {
@@ -18,7 +18,7 @@ using namespace spanline;
 
 using Panel = board::DisplayPanel;
 using Picture = Renderer<FlatTraits<Rgb565Swapped>>;
-using Present = hal::Present<Panel, board::DisplayClock>;
+using Display = hal::DisplaySink<Panel, board::DisplayClock>;
 static_assert(Panel::pixel_order == hal::PixelOrder::high_byte_first);
 
 constexpr std::uint32_t frames_to_show = SPANLINE_GAUGES_FRAMES;
@@ -34,28 +34,25 @@ static_assert(memory_needed + sizeof(scenes::Gauges) <= board::picture_memory);
 alignas(Arena::alignment) std::byte memory[memory_needed];
 scenes::Gauges gauges;
 
-/// Hands finished bands with their text to the present loop, whose buffers are the renderer's colour bands.
-struct Sink {
-  Present& present;
-  bool acquire(unsigned buffer) { return present.acquire(static_cast<int>(buffer)) == hal::DisplayStatus::ok; }
+/// Writes the text of finished bands before the display gets them.
+struct TextSink {
+  Display& display;
+  bool acquire(unsigned buffer) { return display.acquire(buffer); }
   bool operator()(const Picture::BandView& band) {
     Canvas<Rgb565Swapped> canvas(band.pixels, Panel::width, band.y0, band.y1);
     gauges.write(canvas, spanline_fonts::sans_14);
-    return present.submit(band.y0, band.y1, static_cast<int>(band.buffer)) == hal::DisplayStatus::ok;
+    return display(band);
   }
 };
 
-hal::DisplayStatus show(std::uint32_t frame, Picture& renderer, Present& present, bool last) {
-  if (const hal::DisplayStatus begun = present.begin_frame(); begun != hal::DisplayStatus::ok) return begun;
+Status draw(std::uint32_t frame, Picture& renderer, Display& display) {
   gauges.make(frame, Panel::width, Panel::height);
   FrameSettings settings;
   settings.cull = Cull::none;
   settings.background = scenes::Gauges::background;
   const bool good = renderer.begin(settings).ok() && renderer.add_screen(gauges.vertices(), gauges.colours()).ok();
   if (!good) board::write("gauges: a pool is full\n");
-  const Status drawn = renderer.draw(Sink{present});
-  if (drawn.fault == Fault::pool_full) board::write("gauges: a pool is full\n");
-  return last ? present.end_frame() : present.end_frame_early();
+  return renderer.draw(TextSink{display});
 }
 
 }  // namespace
@@ -65,15 +62,16 @@ int main() {
   static board::DisplayClock clock;
   static Panel panel(bus, clock);
   static Picture renderer(capacity, memory);
-  std::array<std::span<std::uint16_t>, Present::most_buffers> buffers{};
-  for (unsigned i = 0; i < buffers.size(); ++i) buffers[i] = renderer.colour_band(i);
-  static Present present(panel, clock, buffers);
+  static Display display(panel, clock, renderer);
   for (std::uint32_t frame = 0; frames_to_show == 0 || frame < frames_to_show; ++frame) {
-    const hal::DisplayStatus status = show(frame, renderer, present, frame + 1 == frames_to_show);
+    const auto draw_frame = [&](Display& sink) { return draw(frame, renderer, sink); };
+    const bool last = frame + 1 == frames_to_show;
+    const hal::ShownFrame<Status> shown = last ? display.show(draw_frame) : display.show_and_go_on(draw_frame);
     board::frame_done();
-    if (status == hal::DisplayStatus::ok) continue;
+    if (shown.drawing.fault == Fault::pool_full) board::write("gauges: a pool is full\n");
+    if (shown.display == hal::DisplayStatus::ok) continue;
     board::write("gauges: display ");
-    board::write(to_string(status));
+    board::write(to_string(shown.display));
     board::write("\n");
   }
   board::write("gauges: all shown, stack ");

@@ -59,6 +59,19 @@ void report_clock(const Bus& bus) {
   }
 }
 
+/// Warns of a panel that gave another identity than its driver expects: it is driven all the same.
+template <class Panel>
+void report_identity(const Panel& panel) {
+  if constexpr (requires { panel.identity_status(); }) {
+    static hal::DisplayStatus last = hal::DisplayStatus::ok;
+    if (panel.identity_status() == last) return;
+    last = panel.identity_status();
+    board::write("turntable: display ");
+    board::write(to_string(last));
+    board::write("\n");
+  }
+}
+
 /// `before` is what the display had done when the frame began: the last one that nobody waited for to its end.
 void report_shown(std::uint32_t frame, const hal::PresentStatistics& before) {
   board::write("turntable: frame ");
@@ -89,6 +102,7 @@ int main() {
     const Turntable::Result result = last ? turntable.show(frame) : turntable.show_and_go_on(frame);
     board::frame_done();
     report(result);
+    report_identity(panel);
     if (result.ok() && (last || (frame == 0 && frames_to_show == 0))) report_shown(frame, before);
     if (last) break;
   }

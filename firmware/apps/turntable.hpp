@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -7,9 +6,8 @@
 
 #include "scenes/model_view.hpp"
 #include "spanline/frame/renderer.hpp"
-#include "spanline/hal/filler.hpp"
+#include "spanline/hal/display_sink.hpp"
 #include "spanline/hal/pixel_order.hpp"
-#include "spanline/hal/present.hpp"
 
 namespace spanline::apps {
 
@@ -57,76 +55,49 @@ class Turntable {
 
   /// `memory` has Picture::bytes_needed(capacity) bytes, in RAM that the bus reaches. Mesh and memory must stay.
   Turntable(PanelType& panel, ClockType& clock, const Mesh& mesh, const Capacity& capacity, std::span<std::byte> memory)
-      : mesh_(mesh),
-        box_(scenes::MeshBox::of(mesh)),
-        renderer_(capacity, memory),
-        present_(panel, clock, buffers(renderer_)) {}
+      : mesh_(mesh), box_(scenes::MeshBox::of(mesh)), renderer_(capacity, memory), display_(panel, clock, renderer_) {}
 
   /// Draws frame `number` of the turn and waits until it is shown.
   Result show(std::uint32_t number) {
-    return show(number, [](Present& present) { return present.end_frame(); });
+    return result_of(display_.show([&](Display& display) { return draw(number, display); }));
   }
 
   /// The same without waiting: the next frame begins while the last bands are on their way.
   Result show_and_go_on(std::uint32_t number) {
-    return show(number, [](Present& present) { return present.end_frame_early(); });
+    return result_of(display_.show_and_go_on([&](Display& display) { return draw(number, display); }));
   }
 
-  [[nodiscard]] const hal::PresentStatistics& statistics() const { return present_.statistics(); }
+  [[nodiscard]] const hal::PresentStatistics& statistics() const { return display_.present().statistics(); }
 
  private:
-  using Present = hal::Present<PanelType, ClockType>;
+  using Display = hal::DisplaySink<PanelType, ClockType, FillerType>;
 
-  /// The renderer's colour bands; those that it does not have are empty.
-  static auto buffers(const Picture& renderer) {
-    std::array<std::span<std::uint16_t>, Present::most_buffers> all{};
-    for (unsigned i = 0; i < all.size(); ++i) all[i] = renderer.colour_band(i);
-    return all;
-  }
-
-  template <class End>
-  Result show(std::uint32_t number, End end) {
-    Result result;
-    result.display = present_.begin_frame();
-    if (result.display != hal::DisplayStatus::ok) return result;
-    result.drawing = submit(number);
-    const Status drawn = renderer_.draw(Sink{present_, filler_});
-    result.display = end(present_);
+  static Result result_of(const hal::ShownFrame<Status>& frame) {
+    Result result{frame.display, frame.drawing};
     // Where a sink fails and the display has nothing to say, it was the filler.
-    const bool display_failed = drawn.fault == Fault::sink_failed && result.display != hal::DisplayStatus::ok;
-    if (result.drawing.ok() && !display_failed) result.drawing = drawn;
+    if (result.drawing.fault == Fault::sink_failed && result.display != hal::DisplayStatus::ok) result.drawing = {};
     return result;
   }
 
-  /// Hands finished bands to the present loop, whose buffers are the renderer's colour bands.
-  struct Sink {
-    Present& present;
-    [[maybe_unused]] FillerType& filler;
-    bool acquire(unsigned buffer) { return present.acquire(static_cast<int>(buffer)) == hal::DisplayStatus::ok; }
-    bool available(unsigned buffer) { return present.available(static_cast<int>(buffer)); }
-    void fill(std::uint16_t value, std::uint32_t count, std::uint16_t* words) requires hal::Filler<FillerType> {
-      filler.fill(value, count, words);
-    }
-    bool filled() requires hal::Filler<FillerType> { return filler.filled(); }
-    bool operator()(const typename Picture::BandView& band) {
-      return present.submit(band.y0, band.y1, static_cast<int>(band.buffer)) == hal::DisplayStatus::ok;
-    }
-  };
+  Status draw(std::uint32_t number, Display& display) {
+    const Status submitted = submit(number, display);
+    const Status drawn = renderer_.draw(display);
+    return submitted.ok() ? drawn : submitted;
+  }
 
-  Status submit(std::uint32_t number) {
+  Status submit(std::uint32_t number, Display& display) {
     const Angle angle = Angle::from_turns(number % frames_a_turn, frames_a_turn);
     const scenes::ModelView view = scenes::model_view(mesh_, box_, angle, PanelType::height, shading);
     if (const Status begun = renderer_.begin(view.settings); !begun.ok()) return begun;
     // A sink that gives up will do so for drawing, too.
-    if constexpr (hal::Filler<FillerType>) static_cast<void>(renderer_.clear_ahead(Sink{present_, filler_}));
+    if constexpr (hal::Filler<FillerType>) static_cast<void>(renderer_.clear_ahead(display));
     return renderer_.add(mesh_, view.transform, view.material);
   }
 
   const Mesh& mesh_;
   scenes::MeshBox box_;
   Picture renderer_;
-  Present present_;
-  [[no_unique_address]] FillerType filler_{};
+  Display display_;
 };
 
 }  // namespace spanline::apps

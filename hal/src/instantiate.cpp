@@ -1,5 +1,6 @@
 // Instantiates drivers and present loop over a bus and a clock that do nothing, on every target: the compiler sees all
 // of their code with the project's warnings, and the symbol check finds no heap, float or exception in it.
+#include "spanline/hal/display_sink.hpp"
 #include "spanline/hal/panels/ili9341.hpp"
 #include "spanline/hal/panels/ssd0323.hpp"
 #include "spanline/hal/panels/st7789.hpp"
@@ -24,9 +25,15 @@ struct NullCounter {
   std::uint32_t cycles() { return 0; }
 };
 
-/// A bus with a line back, which init() uses.
+/// A bus with a line back and a backlight, which init() and switch_on() use.
 struct NullReadableBus : NullBus {
+  void backlight(bool) {}
   DisplayStatus read(std::uint8_t, std::span<std::uint8_t>) { return DisplayStatus::ok; }
+};
+
+struct NullFiller {
+  void fill(std::uint16_t, std::uint32_t, std::uint16_t*) {}
+  bool filled() { return true; }
 };
 
 using Portrait = Ili9341<NullReadableBus, NullClock, MipiOptions{.orientation = Orientation::portrait}>;
@@ -47,5 +54,7 @@ template class MipiPanel<St7789Chip<st7789::glass_135x240>, check::NullBus, chec
 template class Ssd0323<check::NullBus, check::NullClock>;
 template class Present<check::Landscape, check::NullClock>;
 template class Present<check::Oled, check::NullClock>;
+template class DisplaySink<check::Landscape, check::NullClock>;
+template class DisplaySink<check::Landscape, check::NullClock, check::NullFiller>;
 
 }  // namespace spanline::hal

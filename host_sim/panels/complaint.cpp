@@ -43,6 +43,8 @@ const char* to_string(ComplaintKind kind) {
       return "more_pixels_than_window";
     case ComplaintKind::partial_pixel:
       return "partial_pixel";
+    case ComplaintKind::shown_before_picture:
+      return "shown_before_picture";
     case ComplaintKind::wrong_setup:
       return "wrong_setup";
     case ComplaintKind::not_modelled:

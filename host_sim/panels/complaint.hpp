@@ -20,6 +20,7 @@ enum class ComplaintKind : std::uint8_t {
   write_during_sleep,        ///< pixels while the panel sleeps
   more_pixels_than_window,   ///< warning: the write wrapped round and overwrote its own start
   partial_pixel,             ///< a write that stopped within a pixel
+  shown_before_picture,      ///< display or backlight on while the glass shows noise, or a reset in full light
   wrong_setup,               ///< registers that do not suit the glass
   not_modelled,              ///< warning: a legal command whose effect on the picture the model does not show
   bus_used_while_busy,       ///< command or pixels while a transfer was in flight

@@ -75,12 +75,45 @@ class StuckBus {
   }
   bool busy() { return stuck_ || inner_.busy(); }
   void reset(bool held) { inner_.reset(held); }
+  void backlight(bool lit) { inner_.backlight(lit); }
   [[nodiscard]] std::uint32_t clock_hz() const { return inner_.clock_hz(); }
 
  private:
   HostBus& inner_;
   int remaining_ = 0;
   bool stuck_ = false;
+};
+
+/// A bus on which one transfer of pixels breaks off: its first bytes arrive, and pixels() returns `failure`.
+class FailingBus {
+ public:
+  FailingBus(HostBus& inner, SimClock& clock, hal::DisplayStatus failure)
+      : inner_(inner), clock_(clock), failure_(failure) {}
+
+  /// The transfer number `transfer` from now, counted from 1, ends after `bytes` bytes.
+  void fail_at(int transfer, std::size_t bytes) {
+    remaining_ = transfer;
+    bytes_ = bytes;
+  }
+
+  hal::DisplayStatus command(std::span<const std::uint8_t> bytes) { return inner_.command(bytes); }
+  hal::DisplayStatus pixels(std::span<const std::uint8_t> bytes) {
+    if (remaining_ == 0 || --remaining_ != 0) return inner_.pixels(bytes);
+    static_cast<void>(inner_.pixels(bytes.first(bytes_)));
+    while (inner_.busy()) clock_.delay_us(100);
+    return failure_;
+  }
+  bool busy() { return inner_.busy(); }
+  void reset(bool held) { inner_.reset(held); }
+  void backlight(bool lit) { inner_.backlight(lit); }
+  [[nodiscard]] std::uint32_t clock_hz() const { return inner_.clock_hz(); }
+
+ private:
+  HostBus& inner_;
+  SimClock& clock_;
+  hal::DisplayStatus failure_;
+  int remaining_ = 0;
+  std::size_t bytes_ = 0;
 };
 
 /// A bus that queues up to `size` transfers, each of which takes `transfer_us`, one after the other.
@@ -150,6 +183,7 @@ class PluggedBus {
   void reset(bool held) {
     if (plugged_) inner_.reset(held);
   }
+  void backlight(bool lit) { inner_.backlight(lit); }
   [[nodiscard]] std::uint32_t clock_hz() const { return inner_.clock_hz(); }
 
  private:

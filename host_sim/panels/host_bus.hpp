@@ -59,6 +59,8 @@ class HostBus {
     model_.reset_line(held, clock_.now_ns());
   }
 
+  void backlight(bool lit) { model_.backlight_line(lit, clock_.now_ns()); }
+
   [[nodiscard]] std::uint32_t clock_hz() const { return clock_hz_; }
 
  private:

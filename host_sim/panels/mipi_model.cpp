@@ -37,11 +37,29 @@ MipiModel::MipiModel(const MipiFacts& facts, hal::Orientation held)
     : PanelModel({.clock = facts.clock, .reset_low_ns = 10'000, .reset_settle_ns = settle_ns}),
       facts_(facts),
       held_(held),
-      memory_(static_cast<std::size_t>(facts.columns) * static_cast<std::size_t>(facts.rows)),
-      written_(memory_.size()) {
+      memory_(static_cast<std::size_t>(facts.columns) * static_cast<std::size_t>(facts.rows)) {
+  MipiModel::on_power_up();
+  MipiModel::on_reset();
+}
+
+void MipiModel::on_power_up() {
   // Memory is random after power-up: a pattern that no picture has shows what a driver leaves unwritten.
   for (std::size_t i = 0; i < memory_.size(); ++i) memory_[i] = {static_cast<std::uint8_t>(i * 37), 0x5A, 0xA5};
-  on_reset();
+  written_.assign(memory_.size(), false);
+}
+
+bool MipiModel::is_on_glass(std::size_t index) const {
+  const int column = static_cast<int>(index) % facts_.columns - facts_.glass_column;
+  const int row = static_cast<int>(index) / facts_.columns - facts_.glass_row;
+  return column >= 0 && column < facts_.glass_width && row >= 0 && row < facts_.glass_height;
+}
+
+bool MipiModel::shows_picture() const { return display_on_ && !asleep_ && noise_pixels_ == 0; }
+
+void MipiModel::check_picture() {
+  if (noise_pixels_ == 0) return;
+  complain(ComplaintKind::shown_before_picture, "the display goes on while " + std::to_string(noise_pixels_) +
+                                                    " pixels have not been written since the reset");
 }
 
 const MipiFacts::Command* MipiModel::find_command(std::uint8_t command) const {
@@ -67,6 +85,9 @@ void MipiModel::on_reset() {
   inverted_ = false;
   state_ = State::idle;
   arguments_.clear();
+  noise_.resize(memory_.size());
+  for (std::size_t i = 0; i < memory_.size(); ++i) noise_[i] = is_on_glass(i);
+  noise_pixels_ = static_cast<std::size_t>(std::count(noise_.begin(), noise_.end(), true));
 }
 
 void MipiModel::on_command(std::uint8_t value) {
@@ -153,6 +174,7 @@ void MipiModel::execute() {
       break;
     case 0x29:
       display_on_ = true;
+      check_picture();
       break;
     case 0x2A:
       set_range(column_range_, column_limit(), "column");
@@ -260,6 +282,8 @@ void MipiModel::store_pixel(Color color) {
   const std::size_t at = memory_index(column_, page_);
   memory_[at] = color;
   written_[at] = true;
+  if (noise_[at]) --noise_pixels_;
+  noise_[at] = false;
   if (++column_ <= column_range_.last) return;
   column_ = column_range_.first;
   if (++page_ <= page_range_.last) return;
@@ -278,10 +302,7 @@ std::size_t MipiModel::memory_index(int column, int page) const {
 std::size_t MipiModel::written_beside_the_glass() const {
   std::size_t count = 0;
   for (std::size_t i = 0; i < written_.size(); ++i) {
-    const int column = static_cast<int>(i) % facts_.columns - facts_.glass_column;
-    const int row = static_cast<int>(i) / facts_.columns - facts_.glass_row;
-    const bool shown = column >= 0 && column < facts_.glass_width && row >= 0 && row < facts_.glass_height;
-    if (written_[i] && !shown) ++count;
+    if (written_[i] && !is_on_glass(i)) ++count;
   }
   return count;
 }
@@ -293,7 +314,7 @@ PanelPicture MipiModel::picture() const {
   PanelPicture picture{
       .width = landscape ? glass_height : glass_width, .height = landscape ? glass_width : glass_height, .rgb = {}};
   picture.rgb.reserve(static_cast<std::size_t>(glass_width) * static_cast<std::size_t>(glass_height) * 3);
-  const bool dark = asleep_ || !display_on_;
+  const bool dark = asleep_ || !display_on_ || !is_lit();
   for (int v = 0; v < picture.height; ++v) {
     for (int u = 0; u < picture.width; ++u) {
       // The viewer's (u, v) on the upright glass: a quarter turn for landscape, a half turn where flipped.

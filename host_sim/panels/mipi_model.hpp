@@ -35,7 +35,8 @@ struct MipiFacts {
 ///
 /// Modelled: reset, sleep and display on/off with their pauses, windows, memory write and continue, all eight address
 /// directions, the part of the memory that the glass shows, colour order, 12, 16 and 18 bits a pixel, inversion,
-/// identity. Gamma, voltages and frame rate are taken and have no effect. Scrolling, partial and idle mode and the
+/// identity, the backlight. A display that goes on before the glass has been written since the reset is complained of.
+/// Gamma, voltages and frame rate are taken and have no effect. Scrolling, partial and idle mode and the
 /// colour table are taken with a `not_modelled` warning.
 ///
 /// Pauses are the ones that hold in every state: 120 ms after reset, sleep in and sleep out.
@@ -64,6 +65,8 @@ class MipiModel : public PanelModel {
   enum class State : std::uint8_t { idle, arguments, pixels, ignored };
 
   void on_reset() override;
+  void on_power_up() override;
+  [[nodiscard]] bool shows_picture() const override;
   void on_command(std::uint8_t value) override;
   void on_data(std::uint8_t value) override;
   void on_end_of_stream() override { finish_command(); }
@@ -76,6 +79,8 @@ class MipiModel : public PanelModel {
   void take_pixel_byte(std::uint8_t value);
   void store_pixel(Color color);
   void set_sleep(bool asleep);
+  void check_picture();
+  [[nodiscard]] bool is_on_glass(std::size_t index) const;
   void set_range(Range& range, int limit, const char* name);
   [[nodiscard]] int column_limit() const;
   [[nodiscard]] int page_limit() const;
@@ -88,6 +93,8 @@ class MipiModel : public PanelModel {
   hal::Orientation held_;
   std::vector<Color> memory_;  ///< by column and row as they are with nothing flipped
   std::vector<bool> written_;  ///< parallel: since power-up
+  std::vector<bool> noise_;    ///< parallel: on the glass and not written since the last reset
+  std::size_t noise_pixels_ = 0;
   Range column_range_;
   Range page_range_;
   int column_ = 0;  ///< where the next pixel goes, in the host's address order

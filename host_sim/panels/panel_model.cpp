@@ -10,6 +10,7 @@ void PanelModel::reset_line(bool low, std::uint64_t now_ns) {
   if (low == reset_low_) return;
   reset_low_ = low;
   if (low) {
+    complain_of_light("the reset line goes low");
     reset_start_ns_ = now_ns;
     return;
   }
@@ -21,6 +22,33 @@ void PanelModel::reset_line(bool low, std::uint64_t now_ns) {
   was_reset_ = true;
   pause_until_ns_ = 0;
   require_pause(limits_.reset_settle_ns, "reset");
+  on_reset();
+}
+
+void PanelModel::mark_reset() {
+  complain_of_light("a software reset");
+  was_reset_ = true;
+}
+
+void PanelModel::backlight_line(bool lit, std::uint64_t now_ns) {
+  now_ns_ = now_ns;
+  backlight_is_switched_ = true;
+  lit_ = lit;
+  if (lit && !shows_picture()) {
+    complain(ComplaintKind::shown_before_picture, "the backlight goes on before the panel shows a picture");
+  }
+}
+
+void PanelModel::complain_of_light(const char* what) {
+  if (!backlight_is_switched_ || !lit_) return;
+  complain(ComplaintKind::shown_before_picture, std::string(what) + " while the backlight is on");
+}
+
+void PanelModel::lose_power(std::uint64_t now_ns) {
+  now_ns_ = now_ns;
+  was_reset_ = false;
+  pause_until_ns_ = 0;
+  on_power_up();
   on_reset();
 }
 

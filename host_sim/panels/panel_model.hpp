@@ -32,6 +32,12 @@ class PanelModel {
   /// The reset line: `low` holds the panel in reset. Power-up leaves it high, without a reset.
   void reset_line(bool low, std::uint64_t now_ns);
 
+  /// The line that switches the backlight. A module whose line nobody drives is always lit, and nothing is said of it.
+  void backlight_line(bool lit, std::uint64_t now_ns);
+
+  /// The panel's supply fails and comes back: memory is noise, registers are unknown, and the panel sleeps.
+  void lose_power(std::uint64_t now_ns);
+
   /// One byte; `data` is the level of D/C during it.
   void byte(bool data, std::uint8_t value, std::uint64_t now_ns);
 
@@ -65,6 +71,10 @@ class PanelModel {
   explicit PanelModel(const Limits& limits) : limits_(limits) {}
 
   virtual void on_reset() = 0;
+  /// Fills the memory with noise.
+  virtual void on_power_up() = 0;
+  /// Whether the viewer sees the memory, light or not, and every pixel of it has been written since the last reset.
+  [[nodiscard]] virtual bool shows_picture() const = 0;
   virtual void on_command(std::uint8_t value) = 0;
   virtual void on_data(std::uint8_t value) = 0;
   virtual void on_end_of_stream() = 0;
@@ -74,6 +84,9 @@ class PanelModel {
   /// Raises a complaint at the time of the byte that is being decoded.
   void complain(ComplaintKind kind, std::string text) { complain(kind, std::move(text), now_ns_); }
 
+  /// Whether the backlight is on, or is not switched at all.
+  [[nodiscard]] bool is_lit() const { return lit_; }
+
   /// Time of the byte that is being decoded, nanoseconds.
   [[nodiscard]] std::uint64_t now_ns() const { return now_ns_; }
 
@@ -81,9 +94,11 @@ class PanelModel {
   void require_pause(std::uint64_t ns, std::string after);
 
   /// For panels with a reset command: it does what the line does.
-  void mark_reset() { was_reset_ = true; }
+  void mark_reset();
 
  private:
+  void complain_of_light(const char* what);
+
   Limits limits_;
   std::vector<Complaint> complaints_;
   std::uint64_t now_ns_ = 0;
@@ -92,6 +107,8 @@ class PanelModel {
   std::string pause_after_;
   bool reset_low_ = false;
   bool was_reset_ = false;
+  bool backlight_is_switched_ = false;
+  bool lit_ = true;
 };
 
 /// "0x2A" for complaints.

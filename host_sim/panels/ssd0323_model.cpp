@@ -60,9 +60,19 @@ Ssd0323Model::Ssd0323Model()
                   .reset_low_ns = 3'000,
                   .reset_settle_ns = 100'000}),
       memory_(static_cast<std::size_t>(memory_columns) * memory_rows) {
-  // Memory is random after power-up; see Ili9341Model.
+  Ssd0323Model::on_power_up();
+  Ssd0323Model::on_reset();
+}
+
+// Memory is random after power-up; see MipiModel.
+void Ssd0323Model::on_power_up() {
   for (std::size_t i = 0; i < memory_.size(); ++i) memory_[i] = static_cast<std::uint8_t>(i * 37);
-  on_reset();
+}
+
+// The glass shows the memory's first rows.
+bool Ssd0323Model::shows_picture() const {
+  const auto end = written_.begin() + static_cast<std::ptrdiff_t>(height) * memory_columns;
+  return display_on_ && std::find(written_.begin(), end, false) == end;
 }
 
 void Ssd0323Model::on_reset() {
@@ -76,6 +86,7 @@ void Ssd0323Model::on_reset() {
   mode_ = Mode::normal;
   display_on_ = false;
   window_full_ = false;
+  written_.assign(memory_.size(), false);
 }
 
 void Ssd0323Model::on_command(std::uint8_t value) {
@@ -128,6 +139,9 @@ void Ssd0323Model::execute() {
       break;
     case 0xAF:
       display_on_ = true;
+      if (!shows_picture()) {
+        complain(ComplaintKind::shown_before_picture, "the display goes on before every pixel has been written");
+      }
       break;
     default:
       break;
@@ -152,7 +166,9 @@ void Ssd0323Model::on_data(std::uint8_t value) {
     complain(ComplaintKind::more_pixels_than_window, "pixels went on past the end of the window");
     window_full_ = false;
   }
-  memory_[static_cast<std::size_t>(row_) * memory_columns + static_cast<std::size_t>(column_)] = value;
+  const std::size_t at = static_cast<std::size_t>(row_) * memory_columns + static_cast<std::size_t>(column_);
+  memory_[at] = value;
+  written_[at] = true;
   advance();
 }
 

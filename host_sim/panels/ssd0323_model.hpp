@@ -30,6 +30,8 @@ class Ssd0323Model : public PanelModel {
   enum class Mode : std::uint8_t { normal = 0xA4, all_on = 0xA5, all_off = 0xA6, inverse = 0xA7 };
 
   void on_reset() override;
+  void on_power_up() override;
+  [[nodiscard]] bool shows_picture() const override;
   void on_command(std::uint8_t value) override;
   void on_data(std::uint8_t value) override;
   void on_end_of_stream() override;
@@ -40,6 +42,7 @@ class Ssd0323Model : public PanelModel {
   void advance();
 
   std::vector<std::uint8_t> memory_;
+  std::vector<bool> written_;          ///< parallel: since the last reset
   std::vector<std::uint8_t> pending_;  ///< a command that still wants arguments; empty when none
   int column_first_ = 0;
   int column_last_ = 0;

@@ -7,7 +7,7 @@
 //   --stick-fill NUMBER  the DMA's transfer from memory to memory with that number never ends
 //   --reset-at BYTE      somebody presses reset at that byte
 //   --hang BYTE          the program hangs at that byte, until the watchdog resets the chip
-//   --absent             nothing is plugged in where an ILI9341 is expected, until the program has noticed
+//   --mute               nobody answers where an ILI9341 is expected: its line back is not connected
 //   --ili9341            an ILI9341 answers when it is asked who it is
 //   --slowness FACTOR    bytes take so many times longer than the serial clock says
 //   --time ADDRESS       the cycles of each call of the function there, in `calls`
@@ -28,7 +28,7 @@ const { values: options, positionals } = parseArgs({
     "stick-fill": { type: "string", default: "Infinity" },
     "reset-at": { type: "string", default: "Infinity" },
     hang: { type: "string", default: "Infinity" },
-    absent: { type: "boolean", default: false },
+    mute: { type: "boolean", default: false },
     ili9341: { type: "boolean", default: false },
     slowness: { type: "string", default: "1" },
     time: { type: "string" },
@@ -55,12 +55,11 @@ pico.stickAt = Number(options.stick);
 pico.stickFillAt = Number(options["stick-fill"]);
 pico.hangAt = Number(options.hang);
 pico.slowness = Number(options.slowness);
-if (options.ili9341 && !options.absent) pico.identity = ILI9341;
+if (options.ili9341 && !options.mute) pico.identity = ILI9341;
 const resetAt = Number(options["reset-at"]);
 
 function intervene() {
   if (pico.stuck && /bus_timeout/.test(pico.console)) pico.recover();
-  if (options.absent && /panel_absent/.test(pico.console)) pico.identity = ILI9341;
   if (pico.resets === 0 && pico.trace.records >= resetAt) pico.reset();
 }
 

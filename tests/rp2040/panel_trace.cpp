@@ -25,7 +25,7 @@ namespace {
 
 using namespace spanline::sim;
 
-enum class Kind : std::uint8_t { byte, reset, clock, read };
+enum class Kind : std::uint8_t { byte, reset, clock, read, backlight };
 
 struct Record {
   double time;  ///< nanoseconds; of Kind::clock the serial clock in hertz
@@ -73,6 +73,9 @@ void replay(PanelModel& model, const std::vector<Record>& records, Complete comp
         model.set_clock(static_cast<std::uint32_t>(record.time), 0);
         break;
       case Kind::read:
+        break;
+      case Kind::backlight:
+        model.backlight_line(record.value != 0, now_ns);
         break;
       case Kind::byte:
         if (!record.is_selected()) throw std::runtime_error("a byte while the display was not selected");

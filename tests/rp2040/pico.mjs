@@ -16,7 +16,7 @@ const HARD_FAULT = 3;
 const LOCKUP = 125;
 // The stack's guard is a region of the memory protection unit, which rp2040js has not.
 const NO_MPU = /^Unimplemented peripheral write to 0x(d9|da)/;
-const pins = { chipSelect: 17, dataCommand: 20, reset: 21 };
+const pins = { chipSelect: 17, dataCommand: 20, reset: 21, backlight: 22 };
 const watchdogLoad = 0x04;
 const watchdogSelect = 0x08;
 // Every block of the power-on state machine but the two oscillators (RP2040 data sheet, section 2.13).
@@ -26,7 +26,7 @@ const SPI0_RESET = 1 << 16;
 const UNPACED = 0x3f;
 
 /** What a record of a trace tells (panel_trace.cpp reads them). */
-export const Kind = { byte: 0, reset: 1, clock: 2, read: 3 };
+export const Kind = { byte: 0, reset: 1, clock: 2, read: 3, backlight: 4 };
 const RECORD = 12;
 
 /** The parts of an ELF that belong in flash, as [address, bytes]. */
@@ -210,6 +210,15 @@ export class Pico {
     };
     const resetPin = mcu.gpio[pins.reset];
     resetPin.addListener(() => this.trace.add(Kind.reset, this.nanos, this.#levels(), 0));
+    // A transistor holds the light off while the pin floats, as it does after a reset.
+    let lit = true;
+    const light = () => {
+      if (lit === this.#high(pins.backlight)) return;
+      lit = this.#high(pins.backlight);
+      this.trace.add(Kind.backlight, this.nanos, this.#levels(), lit ? 1 : 0);
+    };
+    mcu.gpio[pins.backlight].addListener(light);
+    light();
   }
 
   /** Whether a byte belongs to a question to the display, which the panel's model does not see. */

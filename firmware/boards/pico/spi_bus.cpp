@@ -105,7 +105,8 @@ void set_clock(Divider divider) {
 void set_up_pins() {
   constexpr std::uint32_t outputs =
       bit(pin::chip_select) | bit(pin::data_command) | bit(pin::reset) | bit(pin::backlight);
-  io(sio::out_set) = bit(pin::chip_select) | bit(pin::reset) | bit(pin::backlight);
+  io(sio::out_set) = bit(pin::chip_select) | bit(pin::reset);
+  io(sio::out_clear) = bit(pin::backlight);
   io(sio::direction_set) = outputs;
   for (const unsigned number : {pin::chip_select, pin::data_command, pin::reset, pin::backlight})
     pins::select(number, pins::sio);
@@ -126,7 +127,7 @@ void set_up_dma() {
 
 namespace spanline::board {
 
-static_assert(hal::QueueingBus<SpiBus> && hal::ReadableBus<ReadableSpiBus>);
+static_assert(hal::QueueingBus<SpiBus> && hal::BacklitBus<SpiBus> && hal::ReadableBus<ReadableSpiBus>);
 
 /// In RAM, so that the next band starts while the FIFO still has bytes of the last.
 [[gnu::section(".time_critical.band_sent")]] void band_sent() {
@@ -153,6 +154,9 @@ void SpiBus::set_up() const {
 
 hal::DisplayStatus SpiBus::command(std::span<const std::uint8_t> bytes) {
   if (bytes.empty()) return hal::DisplayStatus::ok;
+  // Selecting it anew has the display count bits from here, whatever it missed before.
+  set_level(pin::chip_select, true);
+  asm volatile("nop\n nop\n nop\n nop");
   set_level(pin::chip_select, false);
   set_level(pin::data_command, false);
   if (!send(bytes.first(1))) return hal::DisplayStatus::bus_timeout;
@@ -192,6 +196,8 @@ void SpiBus::reset(bool held) {
   }
   set_level(pin::reset, !held);
 }
+
+void SpiBus::backlight(bool lit) { set_level(pin::backlight, lit); }
 
 hal::DisplayStatus SpiBus::read_bytes(std::uint8_t command, std::span<std::uint8_t> answer) {
   constexpr std::uint32_t read_hz = 5'000'000;

@@ -15,7 +15,8 @@ inline constexpr unsigned miso = 16, chip_select = 17, clock = 18, mosi = 19, da
 
 /// A display on SPI0: the HAL's bus concept. DMA channel 0 feeds the transmit FIFO, and the interrupt at the end of a
 /// band starts the next one, which the FIFO's eight bytes leave 128 cycles of the core for: bands that wait in the
-/// queue leave without a gap. Chip select stays low: the display is alone on these wires.
+/// queue leave without a gap. Chip select is high for a moment before each command and low otherwise: the display is
+/// alone on these wires.
 ///
 /// SPI mode 3: displays take it as well as mode 0, in which this peripheral pauses between bytes (Arm PL022, DDI 0194H,
 /// 2.3.10).
@@ -29,6 +30,7 @@ class SpiBus {
   hal::DisplayStatus pixels(std::span<const std::uint8_t> bytes);
   bool busy() const;
   void reset(bool held);
+  void backlight(bool lit);
   std::uint32_t clock_hz() const { return clock_hz_; }
 
   /// More than busy(): bands may queue. See hal::QueueingBus.

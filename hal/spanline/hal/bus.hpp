@@ -28,6 +28,14 @@ concept Bus = requires(B& bus, std::span<const std::uint8_t> bytes, bool held) {
   { bus.clock_hz() } -> std::same_as<std::uint32_t>;
 };
 
+/// A bus whose board switches the panel's backlight.
+///
+/// - `backlight(lit)`: switches it. It is off from start-up on until a driver switches it on, behind the first picture.
+template <typename B>
+concept BacklitBus = Bus<B> && requires(B& bus, bool lit) {
+  { bus.backlight(lit) } -> std::same_as<void>;
+};
+
 /// A bus with a line back from the panel.
 ///
 /// - `read(command, answer)`: sends the command and takes in as many bytes as `answer` holds, the chip's first empty

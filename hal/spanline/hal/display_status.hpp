@@ -10,8 +10,8 @@ enum class [[nodiscard]] DisplayStatus : std::uint8_t{
     bus_busy,             ///< a transfer is still in flight: wait until the bus is not busy
     bus_clock_too_high,   ///< the bus clock is above what the panel's table tolerates
     bus_clock_too_low,    ///< the divider gives less than was asked for: pictures are right and take longer
-    panel_absent,         ///< the panel was asked who it is, and answered nothing or something else
-    window_out_of_range,  ///< a window is empty, outside the panel or off its column grid
+    panel_unidentified,   ///< a warning: the panel was asked who it is, and said nothing or something else
+    window_out_of_range,  ///< a window or band is empty, outside the panel, off its column grid or of another width
     buffer_too_small,     ///< the pixel buffer holds fewer pixels than the rows need
     panel_not_ready,      ///< pixels or sleep before a successful init()
     panel_asleep,         ///< pixels while the panel sleeps
@@ -31,8 +31,8 @@ enum class [[nodiscard]] DisplayStatus : std::uint8_t{
       return "bus_clock_too_high";
     case DisplayStatus::bus_clock_too_low:
       return "bus_clock_too_low";
-    case DisplayStatus::panel_absent:
-      return "panel_absent";
+    case DisplayStatus::panel_unidentified:
+      return "panel_unidentified";
     case DisplayStatus::window_out_of_range:
       return "window_out_of_range";
     case DisplayStatus::buffer_too_small:

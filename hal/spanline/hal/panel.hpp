@@ -30,14 +30,16 @@ enum class Orientation : std::uint8_t { portrait, landscape, portrait_flipped, l
 /// A display panel: a driver composed over a bus and a clock at compile time.
 ///
 /// - `width`, `height`: the picture as the viewer sees it, pixels. `pixel_order`: how a band's words must lie.
-/// - `init()`: reset, init table and wake-up; leaves the panel awake and showing its memory. May be called again at
-///   any time, and is how a panel is brought back after a bus failure.
+/// - `init()`: reset, init table and wake-up; leaves the panel awake and dark, because its memory holds noise. May be
+///   called again at any time, and is how a panel is brought back after a bus failure or a loss of power.
+/// - `switch_on()`: shows the memory, then lights the backlight where the bus has one. To be called when the first
+///   picture after an init() has left the bus; nothing happens where the panel is on already.
 /// - `window(w)`: the rectangle that the next pixels() calls of the bus fill, row by row.
 /// - `write(y0, y1, pixels)`: sends rows y0 .. y1 − 1 in full width; `pixels` holds at least (y1 − y0) × width words.
 ///   May return before they have left. The driver may change the words (a panel with fewer colours packs them in
 ///   place), so they mean nothing afterwards; the memory is the bus's until busy() has returned false.
 /// - `busy()`: whether the last write is still on its way.
-/// - `sleep(asleep)`: puts the panel to sleep or wakes it; the panel keeps its picture.
+/// - `sleep(asleep)`: puts the panel to sleep, which is dark, or wakes it; the panel keeps its picture.
 ///
 /// All but busy() want a bus that is not busy, and say bus_busy otherwise; init() abandons a transfer in flight.
 template <typename P>
@@ -47,6 +49,7 @@ concept Panel = requires(P& panel, const Window& rectangle, int row, std::span<s
   { P::pixel_order } -> std::convertible_to<PixelOrder>;
   { P::clock_rating } -> std::convertible_to<ClockRating>;
   { panel.init() } -> std::same_as<DisplayStatus>;
+  { panel.switch_on() } -> std::same_as<DisplayStatus>;
   { panel.window(rectangle) } -> std::same_as<DisplayStatus>;
   { panel.write(row, row, pixels) } -> std::same_as<DisplayStatus>;
   { panel.busy() } -> std::same_as<bool>;

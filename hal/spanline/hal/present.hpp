@@ -15,7 +15,7 @@ struct PresentStatistics {
   std::uint32_t frames = 0;           ///< frames that reached the panel whole
   std::uint32_t frames_given_up = 0;  ///< frames that failed, at their begin or later
   std::uint32_t bands = 0;            ///< bands handed to the panel
-  std::uint32_t initialisations = 0;  ///< successful panel inits: 1, and one for each recovery
+  std::uint32_t initialisations = 0;  ///< successful panel inits: 1, and one for each recovery or restart_panel()
   std::uint32_t last_frame_us = 0;    ///< from begin_frame (without a panel init) to end_frame, microseconds
   std::uint32_t last_wait_us = 0;     ///< how much of that went into waiting for the bus, microseconds
 };
@@ -33,8 +33,12 @@ struct PresentStatistics {
 ///     }
 ///     status = present.end_frame();  // the frame's first failure, or ok
 ///
+/// The first frame after a panel init fills the dark panel; its end waits until it has left, and then switches the
+/// panel on. So that frame has to cover the whole panel.
+///
 /// Waiting ends after the timeout: the frame is given up, and every call returns its failure until the next
-/// begin_frame, which initialises the panel anew (reset, init table) and goes on if the bus works again.
+/// begin_frame, which initialises the panel anew (reset, init table) and goes on if the bus works again. A panel that
+/// lost its power answers nothing and looks busy to nobody: programs that learn of it call restart_panel().
 template <Panel PanelType, Clock ClockType>
 class Present {
  public:
@@ -70,6 +74,7 @@ class Present {
         return failure_;
       }
       needs_init_ = false;
+      is_dark_ = true;
       for (Buffer& buffer : buffers_) buffer.number = 0;
       ++statistics_.initialisations;
     }
@@ -132,16 +137,27 @@ class Present {
     if (!in_frame_) return failure_ == DisplayStatus::ok ? DisplayStatus::out_of_order : failure_;
     // A failure is in failure_.
     if (failure_ == DisplayStatus::ok) static_cast<void>(wait_until([&] { return !panel_.busy(); }));
+    if (failure_ == DisplayStatus::ok && is_dark_) {
+      const DisplayStatus status = panel_.switch_on();
+      is_dark_ = status != DisplayStatus::ok;
+      if (is_dark_) static_cast<void>(give_up(status));
+    }
     count_end();
     return failure_;
   }
 
   /// The same without waiting: the last bands leave while the next frame begins, and what becomes of them shows there.
+  /// The frame that the panel is switched on behind is waited for.
   DisplayStatus end_frame_early() {
+    if (is_dark_) return end_frame();
     if (!in_frame_) return failure_ == DisplayStatus::ok ? DisplayStatus::out_of_order : failure_;
     count_end();
     return failure_;
   }
+
+  /// The next begin_frame initialises the panel as if it were the first: for a panel that lost its power or was plugged
+  /// in again, which the bus cannot notice. Bands that are still on their way by then are abandoned.
+  void restart_panel() { needs_init_ = true; }
 
   [[nodiscard]] const PresentStatistics& statistics() const { return statistics_; }
 
@@ -213,6 +229,7 @@ class Present {
   DisplayStatus failure_ = DisplayStatus::ok;
   bool in_frame_ = false;
   bool needs_init_ = true;
+  bool is_dark_ = true;  ///< no picture has reached the panel since it was initialised
 };
 
 }  // namespace spanline::hal

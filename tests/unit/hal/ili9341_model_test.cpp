@@ -22,14 +22,20 @@ class Ili9341ModelTest : public test::ModelTest<sim::Ili9341Model> {
     set(0x2A, {x0 >> 8, x0 & 255, x1 >> 8, x1 & 255});
     set(0x2B, {y0 >> 8, y0 & 255, y1 >> 8, y1 & 255});
   }
-  /// Reset, awake, on, 16 bits a pixel, upright.
-  void wake() {
+  /// Reset, awake, 16 bits a pixel, upright.
+  void wake_dark() {
     reset();
     command(0x11);
     wait(120 * ms);
-    command(0x29);
     set(0x3A, {0x55});
     set(0x36, {0x48});
+  }
+  /// The same, on behind a black picture.
+  void wake() {
+    wake_dark();
+    command(0x2C);
+    blank(2 * 240 * 320);
+    command(0x29);
   }
   void expect_pixel(int x, int y, std::array<int, 3> want) const {
     const sim::PanelPicture picture = model_.picture();
@@ -83,7 +89,7 @@ TEST_F(Ili9341ModelTest, WantsAPauseAfterSleepOut) {
   reset();
   command(0x11);
   wait(5 * ms);
-  command(0x29);
+  command(0x13);
   expect_only(ComplaintKind::missing_delay);
 }
 
@@ -206,8 +212,10 @@ TEST_F(Ili9341ModelTest, StartsWith18BitsAPixel) {
   reset();
   command(0x11);
   wait(120 * ms);
-  command(0x29);
   set(0x36, {0x48});
+  command(0x2C);
+  blank(3 * 240 * 320);
+  command(0x29);
   set(0x2C, {0xFC, 0x80, 0x00});
   expect_pixel(0, 0, {255, 130, 0});
 }
@@ -258,6 +266,59 @@ TEST_F(Ili9341ModelTest, IsDarkWhileOffOrAsleepAndKeepsItsMemory) {
   command(0x21);
   expect_pixel(0, 0, {0, 255, 255});
   EXPECT_TRUE(complaints().empty());
+}
+
+TEST_F(Ili9341ModelTest, WantsAPictureBeforeTheDisplayGoesOn) {
+  wake_dark();
+  command(0x2C);
+  blank(2 * (240 * 320 - 1));
+  command(0x29);
+  expect_only(ComplaintKind::shown_before_picture);
+  EXPECT_TRUE(any_failure(model_.complaints()));
+}
+
+TEST_F(Ili9341ModelTest, WantsAPictureAgainAfterAReset) {
+  wake();
+  wake_dark();
+  command(0x29);
+  expect_only(ComplaintKind::shown_before_picture);
+}
+
+TEST_F(Ili9341ModelTest, WantsTheDisplayOnBeforeTheBacklight) {
+  wake_dark();
+  command(0x2C);
+  blank(2 * 240 * 320);
+  model_.backlight_line(false, now_ns_);
+  EXPECT_TRUE(complaints().empty());
+  model_.backlight_line(true, now_ns_);
+  expect_only(ComplaintKind::shown_before_picture);
+}
+
+TEST_F(Ili9341ModelTest, IsDarkWithoutItsBacklight) {
+  wake();
+  set(0x2C, {0xF8, 0x00});
+  model_.backlight_line(false, now_ns_);
+  expect_pixel(0, 0, {0, 0, 0});
+  model_.backlight_line(true, now_ns_);
+  expect_pixel(0, 0, {255, 0, 0});
+  EXPECT_TRUE(complaints().empty());
+}
+
+TEST_F(Ili9341ModelTest, WantsNoResetInFullLight) {
+  wake();
+  model_.backlight_line(true, now_ns_);
+  EXPECT_TRUE(complaints().empty());
+  reset();
+  expect_only(ComplaintKind::shown_before_picture);
+}
+
+TEST_F(Ili9341ModelTest, ForgetsEverythingWithItsPower) {
+  wake();
+  set(0x2C, {0xF8, 0x00});
+  model_.lose_power(now_ns_);
+  expect_pixel(0, 0, {0, 0, 0});
+  set(0x2C, {0xF8, 0x00});
+  EXPECT_EQ(complaints(), (std::vector<std::string>{"write_during_sleep", "missing_reset"}));
 }
 
 TEST_F(Ili9341ModelTest, ChecksTheBusClock) {

@@ -24,7 +24,8 @@ using Portrait = Driver<Orientation::portrait>;
 static_assert(hal::Panel<Landscape> && Landscape::width == 320 && Landscape::height == 240);
 static_assert(hal::Panel<Portrait> && Portrait::width == 240 && Portrait::height == 320);
 
-// Every command from reset to a bright panel, as the datasheet spells it; the last byte turns the picture.
+// Every command from reset to a panel that is awake and dark, as the datasheet spells it; the last byte turns the
+// picture.
 std::vector<Bytes> init_commands(std::uint8_t memory_access) {
   return {{0x01},
           {0xCF, 0x00, 0xC1, 0x30},
@@ -45,7 +46,6 @@ std::vector<Bytes> init_commands(std::uint8_t memory_access) {
           {0xE0, 0x0F, 0x31, 0x2B, 0x0C, 0x0E, 0x08, 0x4E, 0xF1, 0x37, 0x07, 0x10, 0x03, 0x0E, 0x09, 0x00},
           {0xE1, 0x00, 0x0E, 0x14, 0x03, 0x11, 0x07, 0x31, 0xC1, 0x48, 0x08, 0x0F, 0x0C, 0x31, 0x36, 0x0F},
           {0x11},
-          {0x29},
           {0x36, memory_access}};
 }
 
@@ -77,7 +77,7 @@ TEST(Ili9341, InitKeepsTheDatasheetPauses) {
   EXPECT_EQ(events[2].bytes, Bytes{0x01});
   EXPECT_GE(events[2].at_us - events[1].at_us, 120'000U);
   EXPECT_GE(events[3].at_us - events[2].at_us, 120'000U);
-  const std::size_t sleep_out = events.size() - 3;
+  const std::size_t sleep_out = events.size() - 2;
   EXPECT_EQ(events[sleep_out].bytes, Bytes{0x11});
   EXPECT_GE(events[sleep_out + 1].at_us - events[sleep_out].at_us, 120'000U);
 }
@@ -142,8 +142,23 @@ TEST_F(Ili9341Ready, RefusesWhileTheBusIsBusy) {
   EXPECT_TRUE(bus_.events.empty());
 }
 
+TEST_F(Ili9341Ready, SwitchesOnOnce) {
+  EXPECT_EQ(driver_.switch_on(), DisplayStatus::ok);
+  EXPECT_EQ(driver_.switch_on(), DisplayStatus::ok);
+  EXPECT_EQ(bus_.commands(), std::vector<Bytes>{{0x29}});
+}
+
+TEST_F(Ili9341Ready, APanelThatFellAsleepInTheDarkWakesUpDark) {
+  EXPECT_EQ(driver_.sleep(true), DisplayStatus::ok);
+  EXPECT_EQ(driver_.switch_on(), DisplayStatus::panel_asleep);
+  EXPECT_EQ(driver_.sleep(false), DisplayStatus::ok);
+  EXPECT_EQ(bus_.commands(), (std::vector<Bytes>{{0x28}, {0x10}, {0x11}}));
+}
+
 TEST_F(Ili9341Ready, SleepsAndWakesWithItsPauses) {
   std::vector<std::uint16_t> pixels(320);
+  ASSERT_EQ(driver_.switch_on(), DisplayStatus::ok);
+  bus_.events.clear();
   const std::uint64_t start_us = clock_.now_ns() / 1000;
   EXPECT_EQ(driver_.sleep(true), DisplayStatus::ok);
   EXPECT_EQ(driver_.sleep(true), DisplayStatus::ok);  // again: nothing to do
@@ -163,6 +178,7 @@ TEST(Ili9341, NothingWorksBeforeInit) {
   std::vector<std::uint16_t> pixels(320);
   EXPECT_EQ(driver.write(0, 1, pixels), DisplayStatus::panel_not_ready);
   EXPECT_EQ(driver.window({0, 0, 1, 1}), DisplayStatus::panel_not_ready);
+  EXPECT_EQ(driver.switch_on(), DisplayStatus::panel_not_ready);
   EXPECT_EQ(driver.sleep(true), DisplayStatus::panel_not_ready);
 }
 

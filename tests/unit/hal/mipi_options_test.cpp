@@ -2,6 +2,7 @@
 // into memory that the glass does not show.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <random>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "panels/host_bus.hpp"
 #include "panels/ili9341_model.hpp"
 #include "panels/st7789_model.hpp"
+#include "recording_bus.hpp"
 #include "spanline/hal/panels/ili9341.hpp"
 #include "spanline/hal/panels/st7789.hpp"
 
@@ -54,9 +56,11 @@ struct Desk {
     for (std::uint16_t& word : words) word = hal::to_pixel_order(Driver::pixel_order, word);
     return words;
   }
+  /// Waits until everything has arrived; the first time, the panel goes on.
   void finish() {
     while (driver.busy()) clock.delay_us(100);
     model.end_of_stream();
+    ASSERT_EQ(driver.switch_on(), DisplayStatus::ok);
   }
 };
 
@@ -167,7 +171,10 @@ TEST(MipiPanelOptions, APartialWindowChangesNothingElse) {
 TEST(MipiPanelOptions, ABandAfterAPartialWindowGoesToItsOwnRows) {
   Desk<Ips240x320, MipiOptions{}> desk;
   ASSERT_EQ(desk.driver.init(), DisplayStatus::ok);
-  Frame band = desk.ordered(Frame(320 * 8, 0x0F0F)), part = desk.ordered(Frame(4, 0xFFFF));
+  Frame all = desk.ordered(Frame(320 * 240, 0)), band = desk.ordered(Frame(320 * 8, 0x0F0F)),
+        part = desk.ordered(Frame(4, 0xFFFF));
+  ASSERT_EQ(desk.driver.write(0, 240, all), DisplayStatus::ok);
+  desk.finish();
   ASSERT_EQ(desk.driver.write(0, 8, band), DisplayStatus::ok);
   desk.finish();
   ASSERT_EQ(desk.driver.draw({100, 100, 102, 102}, part), DisplayStatus::ok);
@@ -194,26 +201,60 @@ TEST(MipiPanelOptions, InversionGoesBothWaysAtRunTime) {
   EXPECT_EQ(at(desk.model.picture(), 5, 5), wanted(0x8410, {}));
 }
 
-TEST(MipiPanelOptions, APanelThatIsNotThereIsNoticedAndFoundOnceItIs) {
+TEST(MipiPanelOptions, ALineThatSaysNothingIsAWarningAndThePanelWorks) {
   SimClock clock;
   sim::St7789Model model(St7789Glass::size_240x320, Orientation::landscape);
   HostBus wires(model, clock, 62'500'000);
   sim::PluggedBus bus(wires);
   hal::St7789<hal::st7789::glass_240x320, sim::PluggedBus, SimClock> driver(bus, clock);
   bus.plug(false);
-  EXPECT_EQ(driver.init(), DisplayStatus::panel_absent);
-  EXPECT_EQ(driver.sleep(true), DisplayStatus::panel_not_ready);
+  EXPECT_EQ(driver.init(), DisplayStatus::ok);
+  EXPECT_EQ(driver.identity_status(), DisplayStatus::panel_unidentified);
   bus.plug(true);
   EXPECT_EQ(driver.init(), DisplayStatus::ok);
+  EXPECT_EQ(driver.identity_status(), DisplayStatus::ok);
   EXPECT_TRUE(model.complaints().empty());
 }
 
-TEST(MipiPanelOptions, AnotherChipIsNotTakenForTheRightOne) {
+TEST(MipiPanelOptions, AnotherChipIsAWarning) {
   SimClock clock;
   sim::Ili9341Model model(Orientation::landscape);
   HostBus bus(model, clock, 10'000'000);
   hal::St7789<hal::st7789::glass_240x320, HostBus, SimClock> driver(bus, clock);
-  EXPECT_EQ(driver.init(), DisplayStatus::panel_absent);
+  EXPECT_EQ(driver.init(), DisplayStatus::ok);
+  EXPECT_EQ(driver.identity_status(), DisplayStatus::panel_unidentified);
+}
+
+/// A bus whose answer to every question a test gives.
+struct AnsweringBus : test::RecordingBus {
+  using RecordingBus::RecordingBus;
+  DisplayStatus read(std::uint8_t command, std::span<std::uint8_t> into) {
+    EXPECT_EQ(command, 0xD3);
+    EXPECT_EQ(into.size(), answer.size());
+    std::copy(answer.begin(), answer.end(), into.begin());
+    return DisplayStatus::ok;
+  }
+  std::array<std::uint8_t, 4> answer{};
+};
+
+DisplayStatus identity_status(std::array<std::uint8_t, 4> answer) {
+  SimClock clock;
+  AnsweringBus bus(clock);
+  bus.answer = answer;
+  hal::Ili9341<AnsweringBus, SimClock> driver(bus, clock);
+  EXPECT_EQ(driver.init(), DisplayStatus::ok);
+  return driver.identity_status();
+}
+
+TEST(MipiPanelOptions, TheFirstByteOfAnIdentityMeansNothing) {
+  for (const std::uint8_t first : {std::uint8_t{0x00}, std::uint8_t{0xFF}, std::uint8_t{0x5A}})
+    EXPECT_EQ(identity_status({first, 0x00, 0x93, 0x41}), DisplayStatus::ok) << int{first};
+}
+
+TEST(MipiPanelOptions, EachOtherByteOfAnIdentityCounts) {
+  EXPECT_EQ(identity_status({0x00, 0x01, 0x93, 0x41}), DisplayStatus::panel_unidentified);
+  EXPECT_EQ(identity_status({0x00, 0x00, 0x92, 0x41}), DisplayStatus::panel_unidentified);
+  EXPECT_EQ(identity_status({0x00, 0x00, 0x93, 0x40}), DisplayStatus::panel_unidentified);
 }
 
 }  // namespace

@@ -27,6 +27,10 @@ class ModelTest : public ::testing::Test {
   void data(std::initializer_list<int> values) {
     for (const int value : values) model_.byte(true, static_cast<std::uint8_t>(value), now_ns_ += us);
   }
+  /// Black: what a panel wants before its display goes on.
+  void blank(int bytes) {
+    for (int i = 0; i < bytes; ++i) model_.byte(true, 0, now_ns_);
+  }
   void reset(std::uint64_t low_ns = 1 * ms, std::uint64_t pause_ns = 120 * ms) {
     model_.reset_line(true, now_ns_);
     wait(low_ns);

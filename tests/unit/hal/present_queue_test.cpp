@@ -84,13 +84,25 @@ TEST_F(PresentQueue, AFrameOfUnevenBandsTakesAsLongAsTheWire) {
   EXPECT_EQ(bus_.transfers(), bands);
 }
 
+TEST_F(PresentQueue, ThePanelGoesOnBehindTheFirstFrameWhichIsWaitedFor) {
+  ASSERT_EQ(present_.begin_frame(), DisplayStatus::ok);
+  for (int band = 0; band < bands; ++band) show_band(band, band % 3, 10);
+  const int commands = bus_.commands();
+  ASSERT_EQ(present_.end_frame_early(), DisplayStatus::ok);
+  EXPECT_FALSE(bus_.busy());
+  EXPECT_EQ(bus_.commands(), commands + 1);
+  EXPECT_EQ(bus_.misuses(), 0);
+}
+
 TEST_F(PresentQueue, TheNextFrameBeginsWhileTheLastBandsLeave) {
+  ASSERT_EQ(present_.begin_frame(), DisplayStatus::ok);
+  ASSERT_EQ(present_.end_frame_early(), DisplayStatus::ok);
   ASSERT_EQ(present_.begin_frame(), DisplayStatus::ok);
   for (int band = 0; band < bands; ++band) show_band(band, band % 3, 10);
   const int commands = bus_.commands();
   ASSERT_EQ(present_.end_frame_early(), DisplayStatus::ok);
   EXPECT_TRUE(bus_.busy());
-  EXPECT_EQ(present_.statistics().frames, 1U);
+  EXPECT_EQ(present_.statistics().frames, 2U);
   ASSERT_EQ(present_.begin_frame(), DisplayStatus::ok);
   EXPECT_TRUE(bus_.busy());
   // The first band's window wants an idle bus: submit waits for it, and no command goes out before.

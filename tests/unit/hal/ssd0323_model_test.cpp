@@ -12,10 +12,12 @@ class Ssd0323ModelTest : public test::ModelTest<sim::Ssd0323Model> {
   void commands(std::initializer_list<int> values) {
     for (const int value : values) command(static_cast<std::uint8_t>(value));
   }
-  /// Reset, set up for the glass, on.
+  /// Reset, set up for the glass, on behind a black picture.
   void wake() {
     reset();
-    commands({0xA8, 0x3F, 0xA2, 0x40, 0xA1, 0x00, 0xA0, 0x52, 0xA4, 0xAF});
+    commands({0xA8, 0x3F, 0xA2, 0x40, 0xA1, 0x00, 0xA0, 0x52, 0xA4});
+    blank(64 * 80);
+    commands({0x15, 0, 63, 0x75, 0, 79, 0xAF});
   }
   [[nodiscard]] int grey(int x, int y) const {
     const sim::PanelPicture picture = model_.picture();
@@ -47,6 +49,14 @@ TEST_F(Ssd0323ModelTest, WantsALongEnoughResetAndAPause) {
   reset(2 * us, 50 * us);
   command(0xAE);
   EXPECT_EQ(complaints(), (std::vector<std::string>{"reset_too_short", "missing_delay"}));
+}
+
+TEST_F(Ssd0323ModelTest, WantsAPictureBeforeTheDisplayGoesOn) {
+  wake();
+  EXPECT_TRUE(complaints().empty());
+  reset();
+  command(0xAF);
+  expect_only(ComplaintKind::shown_before_picture);
 }
 
 TEST_F(Ssd0323ModelTest, KnowsItsCommands) {
@@ -91,7 +101,7 @@ TEST_F(Ssd0323ModelTest, WrapsInsideTheWindowWithAWarning) {
 
 TEST_F(Ssd0323ModelTest, WantsASetupThatSuitsTheGlass) {
   reset();
-  commands({0xA0, 0x52, 0xAF});
+  commands({0xA0, 0x52});
   data({0});
   expect_only(ComplaintKind::wrong_setup);
 }

@@ -17,11 +17,15 @@ class St7789ModelTest : public test::ModelTest<sim::St7789Model> {
     command(value);
     data(arguments);
   }
-  /// Reset, awake, on, inversion as the glass wants it.
+  /// Reset, awake, on behind a black picture, inversion as the glass wants it.
   void wake() {
     reset();
     command(0x11);
     wait(120 * ms);
+    set(0x2A, {0, 52, 0, 186});
+    set(0x2B, {0, 40, 1, 23});
+    command(0x2C);
+    blank(3 * 135 * 240);
     command(0x29);
     command(0x21);
   }

@@ -18,12 +18,12 @@ struct Ili9341Chip {
   /// Serial write cycle 100 ns (AC characteristics, 4-line serial interface); common modules on short wires run at 40
   /// MHz.
   static constexpr ClockRating clock_rating{.rated_hz = 10'000'000, .tolerated_hz = 40'000'000};
-  /// Read ID4 (section 8.3.23): a byte of nothing, then version and model.
+  /// Read ID4 (section 8.3.23): behind a byte of nothing, version and model.
   static constexpr std::uint8_t identity_command = 0xD3;
-  static constexpr std::array<std::uint8_t, 4> identity{0x00, 0x00, 0x93, 0x41};
+  static constexpr std::array<std::uint8_t, 3> identity{0x00, 0x93, 0x41};
 
-  /// From reset to a bright panel, without the orientation. It starts with a software reset for boards that have no
-  /// reset line.
+  /// From reset to a panel that is awake and dark, without the orientation. It starts with a software reset for boards
+  /// that have no reset line.
   // clang-format off
 static constexpr auto init_table = std::to_array<std::uint8_t>({
     // bytes, pause in ms, command, arguments
@@ -48,7 +48,6 @@ static constexpr auto init_table = std::to_array<std::uint8_t>({
     16, 0, 0xE1, 0x00, 0x0E, 0x14, 0x03, 0x11, 0x07, 0x31, 0xC1,  // negative gamma
                  0x48, 0x08, 0x0F, 0x0C, 0x31, 0x36, 0x0F,
     1, 120, mipi::sleep_out,
-    1, 0, mipi::display_on,
 });
   // clang-format on
   static_assert(is_well_formed(init_table));

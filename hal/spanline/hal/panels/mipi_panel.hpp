@@ -138,8 +138,11 @@ inline std::span<const std::uint8_t> pack_444_in_place(std::span<std::uint16_t> 
 /// Bands that follow one another from the top go out without a word between them: the chip's address runs on, so that
 /// handing over a band costs no commands.
 ///
-/// Where the bus can read, init() asks for the chip's identity and says panel_absent if the answer is another; without
-/// a line back from the panel nobody can know.
+/// Where the bus can read, init() asks for the chip's identity; identity_status() tells what came of it. Another answer
+/// than the datasheet's stops nothing: many modules that work give one, or have no line back.
+///
+/// Whatever fails on the bus makes the next band set its window anew: bytes that were lost shift no rows of a later
+/// one.
 template <class Chip, Bus BusType, Clock ClockType, MipiOptions options = MipiOptions{}>
 class MipiPanel {
  public:
@@ -157,7 +160,10 @@ class MipiPanel {
 
   DisplayStatus init() {
     state_ = State::off;
+    is_on_ = false;
     next_row_ = none;
+    identity_ = DisplayStatus::ok;
+    light(false);
     if (clock_rating.verdict(bus_.clock_hz()) == ClockVerdict::too_high) return DisplayStatus::bus_clock_too_high;
     bus_.reset(true);
     clock_.delay_us(mipi::reset_low_us);
@@ -172,6 +178,20 @@ class MipiPanel {
     if (status == DisplayStatus::ok) state_ = State::awake;
     return status;
   }
+
+  DisplayStatus switch_on() {
+    if (const DisplayStatus status = ready(); status != DisplayStatus::ok) return status;
+    if (is_on_) return DisplayStatus::ok;
+    next_row_ = none;
+    const DisplayStatus status = send(mipi::display_on);
+    if (status != DisplayStatus::ok) return status;
+    is_on_ = true;
+    light(true);
+    return DisplayStatus::ok;
+  }
+
+  /// panel_unidentified if the last init() asked the panel who it is and the answer was not the chip's; else ok.
+  [[nodiscard]] DisplayStatus identity_status() const { return identity_; }
 
   DisplayStatus window(const Window& rectangle) {
     if (const DisplayStatus status = ready(); status != DisplayStatus::ok) return status;
@@ -198,8 +218,9 @@ class MipiPanel {
       const DisplayStatus status = window({0, y0, width, height});  // down to the end, so that the next band may follow
       if (status != DisplayStatus::ok) return status;
     }
-    next_row_ = y1 == height ? none : y1;
-    return start(pixels.first(count));
+    const DisplayStatus status = start(pixels.first(count));
+    next_row_ = status == DisplayStatus::ok && y1 != height ? y1 : none;
+    return status;
   }
 
   /// Sends a rectangle alone: `pixels` holds it row by row, an even number of words, and is the bus's until busy() has
@@ -246,13 +267,9 @@ class MipiPanel {
     if (bus_.busy()) return DisplayStatus::bus_busy;
     if (asleep == (state_ == State::asleep)) return DisplayStatus::ok;
     next_row_ = none;
-    DisplayStatus status = send(asleep ? mipi::display_off : mipi::sleep_out);
-    if (status == DisplayStatus::ok && !asleep) delay_ms(clock_, mipi::settle_ms);
-    if (status == DisplayStatus::ok) status = send(asleep ? mipi::sleep_in : mipi::display_on);
-    if (status != DisplayStatus::ok) return status;
-    if (asleep) delay_ms(clock_, mipi::settle_ms);
-    state_ = asleep ? State::asleep : State::awake;
-    return DisplayStatus::ok;
+    const DisplayStatus status = asleep ? fall_asleep() : wake_up();
+    if (status == DisplayStatus::ok) state_ = asleep ? State::asleep : State::awake;
+    return status;
   }
 
  private:
@@ -265,14 +282,39 @@ class MipiPanel {
     return bus_.busy() ? DisplayStatus::bus_busy : DisplayStatus::ok;
   }
 
+  /// The answer's first byte means nothing: it is the clock's turn-round, and reads as the line happens to float.
   DisplayStatus identify() {
     if constexpr (ReadableBus<BusType>) {
-      std::array<std::uint8_t, Chip::identity.size()> answer{};
+      std::array<std::uint8_t, 1 + Chip::identity.size()> answer{};
       if (const DisplayStatus status = bus_.read(Chip::identity_command, answer); status != DisplayStatus::ok)
         return status;
-      if (!std::ranges::equal(answer, Chip::identity)) return DisplayStatus::panel_absent;
+      if (!std::ranges::equal(std::span(answer).subspan(1), Chip::identity))
+        identity_ = DisplayStatus::panel_unidentified;
     }
     return DisplayStatus::ok;
+  }
+
+  DisplayStatus fall_asleep() {
+    light(false);
+    DisplayStatus status = send(mipi::display_off);
+    if (status == DisplayStatus::ok) status = send(mipi::sleep_in);
+    if (status == DisplayStatus::ok) delay_ms(clock_, mipi::settle_ms);
+    return status;
+  }
+
+  /// A panel that was dark when it fell asleep wakes up dark.
+  DisplayStatus wake_up() {
+    DisplayStatus status = send(mipi::sleep_out);
+    if (status != DisplayStatus::ok) return status;
+    delay_ms(clock_, mipi::settle_ms);
+    if (!is_on_) return DisplayStatus::ok;
+    status = send(mipi::display_on);
+    if (status == DisplayStatus::ok) light(true);
+    return status;
+  }
+
+  void light(bool lit) {
+    if constexpr (BacklitBus<BusType>) bus_.backlight(lit);
   }
 
   DisplayStatus send_table() {
@@ -300,6 +342,8 @@ class MipiPanel {
   ClockType& clock_;
   int next_row_ = none;  ///< where the chip's address stands after the last band; none: a window must be set first
   State state_ = State::off;
+  bool is_on_ = false;  ///< since switch_on()
+  DisplayStatus identity_ = DisplayStatus::ok;
 };
 
 }  // namespace spanline::hal

@@ -44,8 +44,7 @@ inline constexpr auto init_table = std::to_array<std::uint8_t>({
     2, 0, 0xBC, 0x10,  // pre-charge voltage
     2, 0, 0xBE, 0x1C,  // VCOMH
     2, 0, 0xBF, 0x0F,  // segment low voltage
-    1, 0, 0xA4,        // show the memory
-    1, 0, display_on,
+    1, 0, 0xA4,        // pixels come from the memory
 });
 // clang-format on
 static_assert(is_well_formed(init_table));
@@ -93,6 +92,7 @@ class Ssd0323 {
 
   DisplayStatus init() {
     state_ = State::off;
+    is_on_ = false;
     if (clock_rating.verdict(bus_.clock_hz()) == ClockVerdict::too_high) return DisplayStatus::bus_clock_too_high;
     bus_.reset(true);
     clock_.delay_us(ssd0323::reset_low_us);
@@ -105,6 +105,14 @@ class Ssd0323 {
       return sent;
     });
     if (status == DisplayStatus::ok) state_ = State::awake;
+    return status;
+  }
+
+  DisplayStatus switch_on() {
+    if (const DisplayStatus status = ready(); status != DisplayStatus::ok) return status;
+    if (is_on_) return DisplayStatus::ok;
+    const DisplayStatus status = send(std::array{ssd0323::display_on});
+    is_on_ = status == DisplayStatus::ok;
     return status;
   }
 
@@ -134,7 +142,7 @@ class Ssd0323 {
   DisplayStatus sleep(bool asleep) {
     if (state_ == State::off) return DisplayStatus::panel_not_ready;
     if (bus_.busy()) return DisplayStatus::bus_busy;
-    const DisplayStatus status = send(std::array{asleep ? ssd0323::display_off : ssd0323::display_on});
+    const DisplayStatus status = send(std::array{asleep || !is_on_ ? ssd0323::display_off : ssd0323::display_on});
     if (status == DisplayStatus::ok) state_ = asleep ? State::asleep : State::awake;
     return status;
   }
@@ -158,6 +166,7 @@ class Ssd0323 {
   BusType& bus_;
   ClockType& clock_;
   State state_ = State::off;
+  bool is_on_ = false;  ///< since switch_on()
 };
 
 }  // namespace spanline::hal

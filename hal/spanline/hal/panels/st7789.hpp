@@ -31,12 +31,12 @@ struct St7789Chip {
   static constexpr bool takes_rgb444 = true;
   /// Serial write cycle 16 ns (section 7.4.3, 4-line serial interface); common modules run at 80 MHz.
   static constexpr ClockRating clock_rating{.rated_hz = 62'500'000, .tolerated_hz = 80'000'000};
-  /// Read display ID (section 9.1.3): a byte of nothing, then manufacturer, version and model.
+  /// Read display ID (section 9.1.3): behind a byte of nothing, manufacturer, version and model.
   static constexpr std::uint8_t identity_command = 0x04;
-  static constexpr std::array<std::uint8_t, 4> identity{0x00, 0x85, 0x85, 0x52};
+  static constexpr std::array<std::uint8_t, 3> identity{0x85, 0x85, 0x52};
 
-  /// From reset to a bright panel, without the orientation. It starts with a software reset for boards that have no
-  /// reset line. Voltages and gamma are those of the common 1.3" to 2.8" IPS modules.
+  /// From reset to a panel that is awake and dark, without the orientation. It starts with a software reset for boards
+  /// that have no reset line. Voltages and gamma are those of the common 1.3" to 2.8" IPS modules.
   // clang-format off
   static constexpr auto init_table = std::to_array<std::uint8_t>({
       // bytes, pause in ms, command, arguments
@@ -57,7 +57,6 @@ struct St7789Chip {
       15, 0, 0xE1, 0xD0, 0x04, 0x0C, 0x11, 0x13, 0x2C, 0x3F,  // negative gamma
                    0x44, 0x51, 0x2F, 0x1F, 0x1F, 0x20, 0x23,
       1, 0, mipi::normal_mode,
-      1, 0, mipi::display_on,
   });
   // clang-format on
   static_assert(is_well_formed(init_table));

@@ -1,0 +1,102 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "spanline/hal/clock.hpp"
+#include "spanline/hal/display_status.hpp"
+#include "spanline/hal/filler.hpp"
+#include "spanline/hal/panel.hpp"
+#include "spanline/hal/present.hpp"
+
+namespace spanline::hal {
+
+/// What a frame came to: what the display had to say, and what the drawing had.
+template <class Drawing>
+struct ShownFrame {
+  DisplayStatus display = DisplayStatus::ok;
+  Drawing drawing{};  ///< as it is by default where the frame did not begin
+};
+
+/// Joins a renderer to a present loop: a sink whose buffers are the renderer's colour bands, so that finished bands go
+/// to the panel as they lie while the next ones are drawn. With a Filler, the renderer has it clear bands ahead.
+///
+/// It takes any renderer that has `colour_band(i)`, a span of 16-bit words for i = 0, 1, … and an empty one behind the
+/// last, and whose bands say `y0`, `y1`, `pixels` and `buffer`. The picture is as wide and high as the panel, and its
+/// words lie in the panel's pixel order.
+///
+/// `show(draw)` is a whole frame: `draw(sink)` draws it, and returns whatever it has to say.
+template <Panel PanelType, Clock ClockType, class FillerType = NoFiller>
+class DisplaySink {
+ public:
+  using Present = hal::Present<PanelType, ClockType>;
+
+  /// All of them stay with the caller and must outlive the sink. `timeout_us`: for one wait for the bus, microseconds.
+  template <class RendererType>
+  DisplaySink(PanelType& panel, ClockType& clock, const RendererType& renderer,
+              std::uint32_t timeout_us = Present::default_timeout_us)
+      : present_(panel, clock, buffers_of(renderer), timeout_us) {}
+
+  /// Draws a frame and waits until the panel shows it.
+  template <class Draw>
+  auto show(Draw&& draw) {
+    return show(draw, [this] { return present_.end_frame(); });
+  }
+  /// The same without waiting: the next frame begins while the last bands are on their way.
+  template <class Draw>
+  auto show_and_go_on(Draw&& draw) {
+    return show(draw, [this] { return present_.end_frame_early(); });
+  }
+
+  /// For statistics and restart_panel(), and for programs with a frame loop of their own.
+  [[nodiscard]] Present& present() { return present_; }
+  [[nodiscard]] const Present& present() const { return present_; }
+
+  // What the renderer asks of a sink.
+
+  bool acquire(unsigned buffer) { return good(present_.acquire(static_cast<int>(buffer))); }
+  bool available(unsigned buffer) { return present_.available(static_cast<int>(buffer)); }
+  void fill(std::uint16_t value, std::uint32_t count, std::uint16_t* words) requires Filler<FillerType> {
+    filler_.fill(value, count, words);
+  }
+  bool filled() requires Filler<FillerType> { return filler_.filled(); }
+  template <class Band>
+  bool operator()(const Band& band) {
+    const auto words = static_cast<std::size_t>(band.y1 - band.y0) * PanelType::width;
+    if (band.pixels.size() != words) return good(DisplayStatus::window_out_of_range);
+    return good(present_.submit(band.y0, band.y1, static_cast<int>(band.buffer)));
+  }
+
+ private:
+  template <class RendererType>
+  static auto buffers_of(const RendererType& renderer) {
+    std::array<std::span<std::uint16_t>, Present::most_buffers> all{};
+    for (unsigned i = 0; i < all.size(); ++i) all[i] = renderer.colour_band(i);
+    return all;
+  }
+
+  template <class Draw, class End>
+  auto show(Draw& draw, End end) {
+    ShownFrame<decltype(draw(*this))> frame;
+    first_failure_ = DisplayStatus::ok;
+    frame.display = present_.begin_frame();
+    if (frame.display != DisplayStatus::ok) return frame;
+    frame.drawing = draw(*this);
+    const DisplayStatus ended = end();
+    frame.display = ended == DisplayStatus::ok ? first_failure_ : ended;
+    return frame;
+  }
+
+  /// Keeps a frame's first failure, for those that leave the present loop's frame alive.
+  bool good(DisplayStatus status) {
+    if (first_failure_ == DisplayStatus::ok) first_failure_ = status;
+    return status == DisplayStatus::ok;
+  }
+
+  Present present_;
+  [[no_unique_address]] FillerType filler_{};
+  DisplayStatus first_failure_ = DisplayStatus::ok;
+};
+
+}  // namespace spanline::hal
