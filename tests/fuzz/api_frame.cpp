@@ -194,11 +194,11 @@ void lay_texture(ByteReader& reader, ApiFrame& frame, const contract::OwnedMesh&
                         .alpha = any_of(reader, TexelAlpha::blend),
                         .blend_colour = any_colour(reader),
                         .coordinates = any_of(reader, TextureCoordinates::sphere_map)};
-  // |s|, |t| ≤ 2^(15 + exponent) textures; two factors of at most 2^(11 − 1 − 15 − exponent) − 1, and offsets below 1.
-  const int most = std::clamp(-5 - mesh.texture_exponent, 0, 6);
+  // |s|, |t| ≤ 2^(15 + exponent) textures: two factors of at most 2^most · 15/16 each, and offsets below 1.
+  const int most = std::clamp(-5 - mesh.texture_exponent, 0, 10);
   TextureMatrix& matrix = material.texture_matrix;
   for (Q16_16* factor : {&matrix.ss, &matrix.st, &matrix.ts, &matrix.tt})
-    *factor = Q16_16::from_raw((reader.half_word() * (1 << most)) >> 1);
+    *factor = Q16_16::from_raw(reader.half_word() * 15 / 8 * (1 << most));
   for (Q16_16* offset : {&matrix.s0, &matrix.t0}) *offset = Q16_16::from_raw(reader.half_word());
 }
 

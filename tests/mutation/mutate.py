@@ -41,6 +41,14 @@ MOST_MEMORY = 8 << 30
 MOST_WALL_SECONDS = 1800  # for threads that wait for one another
 
 
+copied = False
+
+
+def the_tree():
+    """Where sources are read: from the copy once there is one, since the tree may be edited while a run goes on."""
+    return TREE if copied else ROOT
+
+
 class Failure(Exception):
     """Something that no test can be blamed for."""
 
@@ -59,6 +67,8 @@ def copy_tree():
         if not copy.is_file() or copy.read_bytes() != source.read_bytes():
             copy.parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(source, copy)
+    global copied
+    copied = True
     (TREE / "build").mkdir(exist_ok=True)
 
 
@@ -131,7 +141,7 @@ def judge(mutation, programs, baseline):
     """Tries one mutation in the copy with these programs of tests, and takes it back. A program is tried as it is before
     its first mutant."""
     path = TREE / mutation.path
-    source = (ROOT / mutation.path).read_text()
+    source = path.read_text()
     try:
         for program in programs:
             if program not in baseline.seconds:
@@ -181,11 +191,12 @@ def read_table(name):
     with a blank line behind."""
     listed = {}
     entries = "\n".join(line for line in (HERE / name).read_text().splitlines() if not line.startswith("#")).split("\n\n")
+    tree = the_tree()
     for entry in filter(None, (entry.strip("\n") for entry in entries)):
         path, text, changed, *reason = entry.split("\n")
         if not reason:
             raise Failure(f"{name}: an entry without a reason: {text}")
-        source = (ROOT / path).read_text() if (ROOT / path).is_file() else ""
+        source = (tree / path).read_text() if (tree / path).is_file() else ""
         if text not in (line.strip() for line in source.splitlines()):
             raise Failure(f"{name}: {path} has no line {text!r} any more")
         listed[path, text, changed] = " ".join(reason)
@@ -203,7 +214,7 @@ def named_mutations():
 
 
 def place_of(mutation):
-    return f"{mutation.path}:{mutation.line_in((ROOT / mutation.path).read_text())}"
+    return f"{mutation.path}:{mutation.line_in((the_tree() / mutation.path).read_text())}"
 
 
 class Results:
@@ -258,7 +269,7 @@ class Run:
         return True
 
     def take_draw(self):
-        every = places.places(ROOT)
+        every = places.places(the_tree())
         rooms, ranked = places.in_order(every, self.arguments.seed, self.arguments.a_room)
         self.skipped = sorted({mutation.room for mutation in every} - set(rooms))
         # One of each room in turn, so that a run that is stopped has seen every room.
@@ -304,7 +315,7 @@ def report(draw, named):
         "Core is changed by a little, one place at a time, and the tests have to notice. Written by",
         f"`script/mutate --seed {arguments.seed} --count {arguments.count} --record`, which repeats it; `tests/mutation/mutate.py` says how.",
         "",
-        f"**{killed} of {len(draw.judged)} mutants are killed ({100 * draw.share():.1f} %)**, of {len(places.places(ROOT))} places; "
+        f"**{killed} of {len(draw.judged)} mutants are killed ({100 * draw.share():.1f} %)**, of {len(places.places(the_tree()))} places; "
         f"{len(draw.equivalent)} more that were drawn change nothing that anybody could see, and {draw.stillborn} do not compile.",
         *([f"The run was stopped: {arguments.count} were asked for."] if len(draw.judged) < arguments.count else []),
         *([f"Rooms with too few places: {', '.join(draw.skipped)}."] if draw.skipped else []),
@@ -344,13 +355,13 @@ def main():
     parser.add_argument("--record", action="store_true", help=f"write the result to {RECORD.relative_to(ROOT)}")
     arguments = parser.parse_args()
     if arguments.list:
-        rooms, ranked = places.in_order(places.places(ROOT), arguments.seed, arguments.a_room)
+        rooms, ranked = places.in_order(places.places(the_tree()), arguments.seed, arguments.a_room)
         for mutation in dict.fromkeys([m for listing in rooms.values() for m in listing[: arguments.a_room]] + ranked[: arguments.count]):
             print(f"{place_of(mutation)}\n  {mutation.text}\n  {mutation.changed}")
         return
     try:
-        named = named_mutations()
         copy_tree()
+        named = named_mutations()
         configure()
         draw = Run(arguments, Results(arguments.resume), Baseline(arguments.jobs))
         for mutation, program in named:
