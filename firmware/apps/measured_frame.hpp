@@ -8,6 +8,8 @@
 #include "counter.hpp"
 #include "scenes/crc32.hpp"
 #include "spanline/frame/renderer.hpp"
+#include "spanline/visibility/span/spanning_scan_line.hpp"
+#include "spanline/visibility/zbuffer/deferred.hpp"
 
 namespace spanline::measured {
 
