@@ -12,15 +12,15 @@
 
 namespace spanline {
 
-/// Runs against a depth buffer for surfaces that are drawn in blocks of four pieces of 4 pixels. Whole blocks, where
-/// the surface can give some at a time, are straight code; anything else goes piece by piece.
+/// Draws runs against a depth buffer for surfaces that consist of blocks of four pieces of 4 pixels. If the surface can
+/// give several whole blocks at once, they are drawn by straight-line code; everything else is drawn piece by piece.
 template <class Depth, class Pixel, Form form = Form::fastest>
 struct BlockRun {
   using Word = typename Depth::Word;
   using Run = DepthRun<Depth, Pixel, form>;
 
-  /// `count` pixels ≥ 1 from `first` on; `z` is the plane word of the first. `wrap` may put a source into another
-  /// (statistics).
+  /// Draws `count` ≥ 1 pixels from `first` on; `z` is the plane word of the first. `wrap` may replace a source by one
+  /// that wraps it, for statistics.
   template <SurfaceInBlocks Surface, class Wrap>
   [[gnu::noinline]] static void run(Word* depth, Pixel* pixels, std::uint32_t count, std::uint32_t z, std::uint32_t dz,
                                     const Surface& surface, std::int32_t first, Wrap wrap) {
@@ -52,7 +52,7 @@ struct BlockRun {
     piecewise({depth, pixels, z, dz}, count, surface, first, wrap);
   }
 
-  /// `count` pixels of the block whose start is at `column` − `into`, from there on.
+  /// Draws `count` pixels of one block from `column` on; the block starts at `column` − `into`.
   template <class Surface, class Steps>
   [[gnu::noinline]] static void part(Word* depth, Pixel* pixels, std::uint32_t z, std::uint32_t dz,
                                      const Surface& surface, std::int32_t column, const Steps& block,
@@ -61,7 +61,7 @@ struct BlockRun {
     source.restart(block, into);
     pieces({depth, pixels, z, dz}, source, 4 - (into & 3), count, [&](auto& s) { s.next_piece(block); });
   }
-  /// Whole blocks.
+  /// Draws whole blocks.
   template <class Surface, class Steps>
   [[gnu::noinline]] static void whole_blocks(Word* depth, Pixel* pixels, std::uint32_t z, std::uint32_t dz,
                                              const Surface& surface, std::int32_t column, const Steps* blocks,
@@ -88,7 +88,7 @@ struct BlockRun {
   }
 
  private:
-  /// Where a run stands: its first pixel, the plane word there and its step.
+  /// The current position of a run: depth, pixel, and the plane word with its step.
   struct Place {
     Word* depth;
     Pixel* pixels;
@@ -101,7 +101,8 @@ struct BlockRun {
     return !std::is_same_v<decltype(std::declval<Wrap>()(std::declval<Source>())), Source>;
   }();
 
-  /// Pixels of one block, of whose first piece `piece` pixels are left; `next_piece` goes from one piece to the next.
+  /// Draws pixels of one block. `piece` pixels of its current piece are left; `next_piece` moves the source on to the
+  /// following piece.
   template <class Source, class NextPiece>
   [[gnu::always_inline]] static inline void pieces(Place at, Source source, std::uint32_t piece, std::uint32_t count,
                                                    NextPiece next_piece) {
@@ -130,7 +131,8 @@ struct BlockRun {
     }
   }
 
-  /// Blocks against the depth buffer, until one comes in which nothing has been drawn; gives where it stopped.
+  /// Draws blocks with a depth test, until a block comes in which nothing has been drawn. Returns the first block not
+  /// drawn.
   template <class Surface, class Steps>
   [[gnu::noinline]] static const Steps* tested_blocks(Place at, const Surface& surface, std::int32_t column,
                                                       const Steps* blocks, const Steps* end) {
@@ -155,12 +157,12 @@ struct BlockRun {
     }
   }
 
-  /// Whether it pays to ask: a comparison of depths of 32 bits costs no more than the question.
+  /// Whether it pays to look for untouched blocks. With 32-bit depths the depth test costs no more than looking.
   template <class Surface>
   static constexpr bool untouched_pays = sizeof(Word) == 2 &&
                                          !SourceWithHoles<decltype(std::declval<const Surface&>().source(0))>;
-  /// Whether nothing has been drawn in a block: every depth beats what a band is cleared with, and none needs a
-  /// comparison.
+  /// Whether nothing has been drawn in a block: all its depths are still clear, so any depth passes the test and none
+  /// needs a comparison.
   [[gnu::always_inline]] static inline bool untouched(const Word* depth) {
     using Two [[gnu::may_alias]] = std::uint32_t;
     constexpr std::size_t words = 16 * sizeof(Word) / sizeof(Two);
@@ -177,7 +179,7 @@ struct BlockRun {
   }
   static_assert(Depth::clear == static_cast<Word>(Depth::smaller ? ~Word{0} : Word{0}));
 
-  /// The depths of a block; steps its plane word to the next.
+  /// Writes the depths of a block and steps the plane word to the next block.
   [[gnu::always_inline]] static inline void put_depths(Place& at) {
     if constexpr (in_pairs) {
 #pragma GCC unroll 8

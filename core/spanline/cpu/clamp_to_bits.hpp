@@ -7,7 +7,7 @@
 
 namespace spanline {
 
-/// A signed value clamped to [0, 2^Bits).
+/// Clamps a signed value to [0, 2^Bits).
 template <int Bits, Form form = Form::fastest>
 [[nodiscard]] inline std::uint32_t clamp_to_bits(std::int32_t value) {
 #if defined(__ARM_FEATURE_SAT)

@@ -8,16 +8,16 @@
 
 namespace spanline {
 
-/// Runs of pixels against a depth buffer: the inner loops of the z-buffers.
+/// Draws runs of pixels against a depth buffer: the inner loops of the z-buffers.
 ///
-/// A pixel source (shade/) gives the pixel under it; this file never looks into one. `z` is the plane word at the first
-/// pixel and `dz` its step to the right.
+/// A pixel source (shade/) gives the current pixel; these loops do not depend on how. `z` is the plane word at the
+/// first pixel and `dz` its step a column.
 template <class Depth, class Pixel, Form form = Form::fastest>
 struct DepthRun {
   using Word = typename Depth::Word;
-  static constexpr std::uint32_t short_limit = 21;  ///< a small triangle's row
+  static constexpr std::uint32_t short_limit = 21;  ///< longest row of a small triangle, pixels
 
-  /// One pixel: written where it is nearer.
+  /// Draws one pixel if it is nearer.
   template <PixelSource Source>
   [[gnu::always_inline]] static inline void pixel(Word* depth, Pixel* pixels, std::size_t i, std::uint32_t z,
                                                   const Source& source) {
@@ -32,8 +32,8 @@ struct DepthRun {
     }
   }
 
-  /// 1 … 21 pixels, walked from right to left by a jump into straight code: no loop, no tail.
-  /// `z` and `source` stand at the last pixel.
+  /// Draws 1 … 21 pixels from right to left by a jump into straight-line code, which needs no loop and no remainder.
+  /// `z` and `source` are those of the last pixel.
   template <PixelSource Source>
   [[gnu::always_inline]] static inline void short_run(Word* depth, Pixel* pixels, std::uint32_t count, std::uint32_t z,
                                                       std::uint32_t dz, Source source) {
@@ -42,7 +42,7 @@ struct DepthRun {
       z -= dz;
       source.back();
     };
-    if (count - 1 >= short_limit) __builtin_unreachable();  // or the compiler tests the range in every row
+    if (count - 1 >= short_limit) __builtin_unreachable();  // otherwise the compiler tests the range in every row
     switch (count) {
       case 21:
         step(20);
@@ -112,7 +112,7 @@ struct DepthRun {
     }
   }
 
-  /// Any number of pixels ≥ 1; `z` and `source` stand at the first.
+  /// Draws any number of pixels ≥ 1; `z` and `source` are those of the first.
   template <PixelSource Source>
   [[gnu::noinline]] static void long_run(Word* depth, Pixel* pixels, std::uint32_t count, std::uint32_t z,
                                          std::uint32_t dz, Source source) {
@@ -136,7 +136,7 @@ struct DepthRun {
     if (count != 0) short_run_from_left(depth, pixels, count, z, dz, source);
   }
 
-  /// Either, by the count.
+  /// Draws a run by whichever of the two suits its length.
   template <PixelSource Source>
   static inline void run(Word* depth, Pixel* pixels, std::uint32_t count, std::uint32_t z, std::uint32_t dz,
                          Source source) {
@@ -146,7 +146,8 @@ struct DepthRun {
       long_run(depth, pixels, count, z, dz, source);
   }
 
-  /// Pixels that are certain to be nearer than what is there: nothing is compared. `z` and `source` stand at the first.
+  /// Draws pixels that are known to be nearer than the depth buffer, without a comparison. `z` and `source` are those
+  /// of the first pixel.
   template <PixelSource Source>
   [[gnu::noinline]] static void accepted_run(Word* depth, Pixel* pixels, std::uint32_t count, std::uint32_t z,
                                              std::uint32_t dz, Source source) {
@@ -165,7 +166,7 @@ struct DepthRun {
     for (std::size_t i = 0; i < count; ++i) put(i);
   }
 
-  /// A run of constant depth and pixel: nothing is stepped.
+  /// Draws a run of constant depth and constant pixel.
   static inline void constant_run(Word* depth, Pixel* pixels, std::uint32_t count, std::uint32_t z, Pixel colour) {
     const std::uint32_t candidate = Depth::stored(z);
     const auto put = [&](std::size_t i) __attribute__((always_inline)) {
@@ -189,10 +190,10 @@ struct DepthRun {
   }
 
  private:
-  static constexpr std::uint32_t unrolled = 16;  ///< pixels of a loop's body
+  static constexpr std::uint32_t unrolled = 16;  ///< pixels in the body of an unrolled loop
 
-  /// Keeps a rejected pixel a branch around its stores: Thumb-2 compilers would make it predicated stores, which cost
-  /// the reject as much as the write.
+  /// Forces a branch around the stores of a rejected pixel. Thumb-2 compilers would otherwise predicate the stores, and
+  /// then a rejected pixel would cost as much as a written one.
   static inline void keep_branch() {
 #if defined(__thumb2__)
     __asm__ volatile("");
@@ -214,12 +215,12 @@ struct DepthRun {
   }
 
 #if defined(__ARM_FEATURE_SIMD32)
-  /// Whether two pixels can be decided at once.
+  /// Whether two pixels can be tested at once.
   template <PixelSource Source>
   static constexpr bool pairs_fit = form == Form::fastest&& Source::constant && sizeof(Word) == 2 &&
                                     sizeof(Pixel) == 2 && Depth::smaller;
 
-  /// Whole groups of eight pixels; what is left of the run stays in the arguments.
+  /// Draws whole groups of eight pixels and advances the arguments to the rest of the run.
   template <PixelSource Source>
   [[gnu::always_inline]] static inline void paired(Word*& depth, Pixel*& pixels, std::uint32_t& count, std::uint32_t& z,
                                                    std::uint32_t dz, const Source& source) {

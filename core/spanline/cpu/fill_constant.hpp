@@ -11,10 +11,10 @@ namespace fill {
 
 inline constexpr std::uint32_t longest_short_run = 8, longest_medium_run = 32;
 
-/// 1 … 8 pixels by a jump into straight code: most spans of a model are that short.
+/// Fills 1 … 8 pixels by a jump into straight-line code. Most spans of a typical model are that short.
 template <class Pixel>
 [[gnu::always_inline]] inline void short_run(Pixel value, std::uint32_t count, Pixel* pixels) {
-  if (count < 1 || count > longest_short_run) __builtin_unreachable();  // or the compiler tests the range
+  if (count < 1 || count > longest_short_run) __builtin_unreachable();  // otherwise the compiler tests the range
   switch (count) {
     case 8:
       pixels[7] = value;
@@ -45,7 +45,7 @@ template <class Pixel>
   }
 }
 
-/// Up to 32 pixels of 16 bits at a word's address: words of two.
+/// Fills up to 32 pixels of 16 bits at a word-aligned address, two pixels a store.
 template <class Pixel>
 [[gnu::always_inline]] inline void words(Pixel value, std::uint32_t two, std::uint32_t count, Pixel* pixels) {
   const auto put_two = [&](std::ptrdiff_t at) __attribute__((always_inline)) {
@@ -67,7 +67,7 @@ template <class Pixel>
   if ((count & 1) != 0) *pixels = value;
 }
 
-/// `count` ≥ 1 times 32 pixels at a word's address. Output: the next pixel.
+/// Fills `count` ≥ 1 times 32 pixels at a word-aligned address. Output: the address of the next pixel.
 template <Form form = Form::fastest, class Pixel>
 [[gnu::always_inline]] inline Pixel* thirty_twos(std::uint32_t two, std::uint32_t count, Pixel* pixels) {
 #if defined(__arm__)
@@ -86,7 +86,7 @@ inline bool at_word(const Pixel* pixels) {
   return (reinterpret_cast<std::uintptr_t>(pixels) & 2) == 0;
 }
 
-/// 9 … 32 pixels of 16 bits.
+/// Fills 9 … 32 pixels of 16 bits.
 template <class Pixel>
 [[gnu::noinline]] void medium_run(Pixel value, std::uint32_t count, Pixel* pixels) {
   if (!at_word(pixels)) {
@@ -96,7 +96,7 @@ template <class Pixel>
   words(value, value * 0x10001u, count, pixels);
 }
 
-/// More than 32 pixels of 16 bits.
+/// Fills more than 32 pixels of 16 bits.
 template <Form form, class Pixel>
 [[gnu::noinline]] void long_run(Pixel value, std::uint32_t count, Pixel* pixels) {
   if (!at_word(pixels)) {
@@ -110,7 +110,7 @@ template <Form form, class Pixel>
 
 }  // namespace fill
 
-/// `count` ≥ 1 pixels of one value.
+/// Fills `count` ≥ 1 pixels with one value.
 template <Form form = Form::fastest, class Pixel>
 [[gnu::always_inline]] inline void fill_constant(Pixel value, std::uint32_t count, Pixel* pixels) {
   if constexpr (sizeof(Pixel) == 2) {

@@ -15,7 +15,7 @@
 
 namespace spanline {
 
-/// In the place of counts where a program keeps none.
+/// The `Counts` of a program that keeps no statistics.
 struct NoCounts {
   static constexpr bool counting = false;
   template <class Target>
@@ -26,14 +26,14 @@ struct NoCounts {
   }
 };
 
-/// Rows of small and medium triangles, whose edges are fixed-point columns, against a depth buffer. A target has
-/// `depth`, `pixels`, `width` and `first_row`, in this order. `Counts` is told of each run, and may put a source into
-/// another that counts.
+/// Draws rows of small and medium triangles, whose edges are fixed-point columns, against a depth buffer. A target has
+/// `depth`, `pixels`, `width` and `first_row`, in this order. `Counts` is told of each run and may wrap a source in one
+/// that counts.
 template <class Depth, class Pixel, class Counts = NoCounts, Form form = Form::fastest>
 class FixedRows {
  public:
-  /// Draws `rows` rows before the triangle's knee and `rows_after` behind it, and leaves the triangle and its surface
-  /// where they stand. False, with nothing done, for large triangles.
+  /// Draws `rows` rows before the triangle's knee and `rows_after` after it; triangle and surface are not stepped.
+  /// Returns false and draws nothing for large triangles.
   template <class Surface, class Target>
   [[gnu::always_inline]] static inline bool draw(const ActiveTriangle& triangle, const Surface& surface,
                                                  const Target& target, std::int32_t rows, std::int32_t rows_after) {
@@ -64,11 +64,11 @@ class FixedRows {
   static constexpr bool fast =
       form == Form::fastest && !Counts::counting && Depth::bits == 16 && Depth::smaller && sizeof(Pixel) == 2;
 
-  /// How a surface travels to a function: as a value where that takes a register.
+  /// How a surface is passed to a function: by value if it fits a register.
   template <class Surface>
   using InFewRegisters = std::conditional_t<sizeof(Surface) <= sizeof(std::uint32_t), Surface, const Surface&>;
 
-  /// A function of its own: its loop wants every register.
+  /// A function of its own, so that its loop has every register.
   template <int FractionBits, class Surface, class Target>
   [[gnu::noinline]] static void walk(const ActiveTriangle& triangle, InFewRegisters<Surface> kept_surface,
                                      const Target& target, std::int32_t rows, std::int32_t rows_after) {

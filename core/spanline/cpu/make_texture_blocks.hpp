@@ -11,7 +11,7 @@ namespace spanline {
 namespace portable {
 
 inline void make_texture_blocks(TextureBlockMaker& maker) {
-  TextureBlockMaker at = maker;  // in registers: for all that the compiler knows, a block may lie over `maker`
+  TextureBlockMaker at = maker;  // a copy in registers: the compiler must assume that a block may alias `maker`
   do {
     const TextureReciprocal inverse = TextureReciprocal::of(at.w);
     const std::uint32_t to_u = inverse.share<Form::portable>(at.u) >> at.shift_u,
@@ -33,10 +33,11 @@ inline void make_texture_blocks(TextureBlockMaker& maker) {
 
 }  // namespace portable
 
-/// Makes blocks of a texture in perspective, one at least, until they end or w is no longer normalised. Output: the
-/// blocks, and in `maker` where the next one goes and begins; w, u and v of it are unspecified.
+/// Makes blocks of a texture in perspective, at least one, until the last is made or w is no longer normalised. Output:
+/// the blocks, and in `maker` the place and the start coordinates of the next one. w, u and v are unspecified on
+/// return.
 ///
-/// The loop steps more words than compilers keep in registers.
+/// It has forms in assembly because the loop steps more words than compilers keep in registers.
 template <Form form = Form::fastest>
 [[gnu::always_inline]] inline void make_texture_blocks(TextureBlockMaker& maker) {
 #if defined(__ARM_ARCH_6M__)

@@ -6,7 +6,7 @@
 
 namespace spanline {
 
-/// The upper halves of two plane words, one behind the other as they lie in memory.
+/// Packs the upper halves of two plane words into one word, in the order of their pixels in memory.
 template <Form form = Form::fastest>
 [[nodiscard, gnu::always_inline]] inline std::uint32_t packed_depths(std::uint32_t left, std::uint32_t right) {
 #if defined(__ARM_FEATURE_SIMD32)
@@ -15,7 +15,7 @@ template <Form form = Form::fastest>
   return (right & 0xffff0000) | left >> 16;
 }
 
-/// Whether writing depths of 16 bits by twos takes fewer instructions than one by one.
+/// Whether writing two 16-bit depths at a time takes fewer instructions than writing them one by one.
 inline constexpr bool packing_pays =
 #if defined(__ARM_FEATURE_SIMD32)
     true;

@@ -4,8 +4,8 @@
 
 namespace spanline {
 
-/// Where a row of a band lies in both buffers. Where their words have one size, one address and a constant distance
-/// serve for both: a register less in the loops.
+/// The addresses of a band's row in both buffers. If depths and pixels have the same size, one address and a constant
+/// distance serve for both, which saves a register in the loops.
 template <class Word, class Pixel>
 class RowAddress {
  public:
@@ -20,7 +20,7 @@ class RowAddress {
     if constexpr (!paired) other_ += width;
   }
   [[nodiscard]] Word* depth(std::uint32_t column) const { return depth_ + column; }
-  /// The pixel that belongs to `depth`, which is depth(column).
+  /// The pixel that belongs to `depth`, which must be depth(column).
   [[nodiscard]] Pixel* pixels([[maybe_unused]] Word* depth, [[maybe_unused]] std::uint32_t column) const {
     if constexpr (paired)
       return reinterpret_cast<Pixel*>(reinterpret_cast<std::uintptr_t>(depth) + other_);

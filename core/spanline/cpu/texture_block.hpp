@@ -4,9 +4,9 @@
 
 namespace spanline {
 
-/// A block of 16 columns of a texture in four pieces of 4 columns, in each of which u and v are linear: steps of a
-/// column in its first piece, what they gain from one piece to the next, and coordinates at its start. Kernels in
-/// assembly know this layout.
+/// A block of 16 columns of a texture: four pieces of 4 columns, on each of which u and v are linear. It holds the
+/// steps a column in the first piece, the increments of the steps from piece to piece, and the coordinates at the
+/// start. Kernels in assembly depend on this layout.
 struct TextureBlock {
   std::uint32_t du, ddu, dv, ddv, u, v;
 };

@@ -5,9 +5,10 @@
 
 namespace spanline {
 
-/// Chords of the parabola through both ends of a texture's block whose middle lies `bow`/2^16 of their distance back
-/// from the straight line: their steps grow by an eighth of that from one piece to the next. The chords are moved by
-/// 3/64 of it, which more than halves the mean error of the columns.
+/// Sets the chords of a block's parabola. The parabola goes through both ends of the block, and its middle lies behind
+/// the straight line by `bow`/2^16 of the distance between them. From one piece to the next, the step grows by an
+/// eighth of that deviation. The chords are shifted by 3/64 of it, which more than halves the mean error of the
+/// columns.
 [[gnu::always_inline]] inline void set_chords(std::uint32_t from, std::uint32_t to, std::int32_t bow, std::uint32_t& at,
                                               std::uint32_t& step, std::uint32_t& gain) {
   const std::int32_t distance = signed_word(to - from);

@@ -9,7 +9,7 @@
 namespace spanline {
 
 namespace detail {
-/// 2^31 / d at the middle of each of 256 intervals of d in [2^22, 2^23): 9 bits.
+/// 2^31 / d, 9 bits, at the middle of each of 256 intervals of d in [2^22, 2^23).
 inline constexpr std::array<std::uint16_t, 256> texture_reciprocal_seed = [] {
   std::array<std::uint16_t, 256> table{};
   for (std::uint32_t i = 0; i < 256; ++i) {
@@ -20,19 +20,19 @@ inline constexpr std::array<std::uint16_t, 256> texture_reciprocal_seed = [] {
 }();
 }  // namespace detail
 
-/// The division of a perspective texture: 1/w as a seed of 9 bits and a correction of first order, by products of 32
-/// bits alone, which are the same one instruction on every core. All words are normalised: shifted to the left together
-/// until the top bit of w is set.
+/// The division for a perspective texture: 1/w as a 9-bit seed with a first-order correction. It uses only 32-bit
+/// products, which are one instruction on every core. All words are normalised: shifted left together until bit 31 of w
+/// is set.
 struct TextureReciprocal {
-  std::uint32_t seed;       ///< 2^40 / w, good to 2^-8.4
-  std::int32_t correction;  ///< what seed · w lacks of 1, in Q24; and the mean of what the second order would add
+  std::uint32_t seed;       ///< 2^40 / w with a relative error of at most 2^-8.4
+  std::int32_t correction;  ///< 1 − seed · w, plus the mean of the second-order term; Q24
 
   [[nodiscard]] static TextureReciprocal of(std::uint32_t w) {
     constexpr std::int32_t mean_square = 16;
     const std::uint32_t seed = detail::texture_reciprocal_seed[(w >> 23) & 255];
     return {seed, mean_square - (signed_word((w >> 9) * seed << 1) >> 8)};
   }
-  /// part/w in Q30, for part in [0, w]: within 2^-17 of itself, and 2^-20 (tested).
+  /// part/w in Q30 for part in [0, w], with a relative error of at most 2^-17 and another 2^-20 (tested).
   template <Form form = Form::fastest>
   [[nodiscard]] std::uint32_t share(std::uint32_t part) const {
     const std::uint32_t first = (part >> 10) * seed;
@@ -41,9 +41,10 @@ struct TextureReciprocal {
 #endif
     return first + word((signed_word(first >> 16) * correction) >> 8);
   }
-  /// How far a parabola in the place of the hyperbola bows back where w has fallen by `fall` · 2^16 to what it is, at
-  /// most a quarter of it: at the middle it leaves the chord by (distance of the ends) · (w − w0) / (2 (w0 + w)), which
-  /// is share/4 · (1 + share/2 + …) for the share of the difference in w. Q16, good to a thousandth of the distance.
+  /// How far the parabola that approximates the hyperbola deviates from the chord at its middle, as a share of the
+  /// distance between the ends, Q16. w has fallen by `fall` · 2^16, at most a quarter, to its present value w. The
+  /// deviation is (w − w0) / (2 (w0 + w)), that is share/4 · (1 + share/2 + …) where share is the relative difference
+  /// in w. The error is at most a thousandth of the distance.
   [[nodiscard]] std::int32_t bow(std::int32_t fall) const {
     const std::int32_t share = fall * signed_word(seed) >> 8;
     return (share - (share * share >> 17)) >> 2;

@@ -5,7 +5,7 @@
 
 namespace spanline {
 
-/// Where texture coordinates stand, and steps to the right. Inside a block the steps change every 4 columns.
+/// The current texture coordinates and their steps a column. Inside a block the steps change every 4 columns.
 struct TextureSteps : TextureBlock {
   void forward() {
     u += du;
@@ -15,23 +15,24 @@ struct TextureSteps : TextureBlock {
     u -= du;
     v -= dv;
   }
-  /// From one piece of a block to the next.
+  /// Moves from one piece of a block to the next.
   void next_piece() { next_piece(*this); }
-  /// The same, of a block that is kept elsewhere.
+  /// The same for a block that is stored elsewhere.
   void next_piece(const TextureBlock& block) {
     du += block.ddu;
     dv += block.ddv;
   }
-  /// To the start of a block.
+  /// Moves to the start of a block.
   void restart(const TextureBlock& block) {
     u = block.u;
     v = block.v;
     du = block.du;
     dv = block.dv;
   }
-  /// To another column of the block at whose start it stands.
+  /// Moves from the start of a block to another of its columns.
   void skip(std::uint32_t columns, const TextureBlock& block) {
-    // The step of piece p has gained p times: 4 columns of each before this one, and what is left of this.
+    // The step of piece p has been incremented p times. The sum counts 4 columns of each earlier piece and the columns
+    // of this one.
     const std::uint32_t pieces = columns >> 2, gains = pieces * (columns - 2 * pieces - 2);
     u += du * columns + block.ddu * gains;
     v += dv * columns + block.ddv * gains;

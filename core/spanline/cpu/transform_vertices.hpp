@@ -15,7 +15,7 @@ namespace portable {
 
 template <bool WithOutcodes, class Vertex>
 inline void transform_vertices(const VertexConstants& constants, std::span<const Vertex> vertices, ScreenVertex* out) {
-  // A copy that no store can alias: its constants stay where the compiler puts them.
+  // A local copy, which stores to `out` cannot alias.
   const VertexConstants t = constants;
   constexpr int low_bits = VertexConstants::distance_fraction_bits;
   const auto depth_position = static_cast<std::uint32_t>(32 - t.depth_bits);
@@ -28,7 +28,8 @@ inline void transform_vertices(const VertexConstants& constants, std::span<const
 #endif
   for (const Vertex& vertex : vertices) {
     const std::uint32_t px = word(vertex.x), py = word(vertex.y), pz = word(vertex.z);
-    // Distance, entries with 14 fraction bits: one long product a component, or two short ones; the same bits.
+    // Distance: matrix entries have 14 fraction bits. One long product a component, or two short ones, give the same
+    // bits.
 #if defined(__ARM_ARCH_6M__)
     const std::uint32_t low = low_x * px + low_y * py + low_z * pz;
     const std::uint32_t distance =
@@ -49,13 +50,14 @@ inline void transform_vertices(const VertexConstants& constants, std::span<const
 
     const int normalise = leading_zeros_32(distance) - (32 - VertexConstants::distance_bits);
     const std::uint32_t z = distance << normalise;  // [2^28, 2^29)
-    // Two Newton steps: 2^44 / z with 16 bits, then 2^54 / z with 26. z·seed ≈ 2^44, so its low word is the error.
+    // Two Newton steps give 2^44 / z to 16 bits and then 2^54 / z to 26. z·seed ≈ 2^44, so the low word of the product
+    // is the error.
     const std::uint32_t seed = reciprocal_16(z >> 13);
     const std::int32_t error = signed_word(0u - z * seed);
     const std::uint32_t fine = (seed << 10) + word(((error >> 16) * signed_word(seed)) >> 18);
     const std::int32_t reciprocal = shift_right_rounded(signed_word(fine), 10);
     const int shift = t.shift - normalise;
-    // Rounded and centred in one: ((v + 1) >> 1) + centre = (v + 1 + 2·centre) >> 1.
+    // Rounding and the move to the centre share one shift: ((v + 1) >> 1) + centre = (v + 1 + 2·centre) >> 1.
     const std::int32_t biased_x = (((view_x * reciprocal) >> shift) + twice_centre_x) >> 1;
     const std::int32_t biased_y = (((view_y * reciprocal) >> shift) + twice_centre_y) >> 1;
 
@@ -79,8 +81,8 @@ inline void transform_vertices(const VertexConstants& constants, std::span<const
 
 }  // namespace portable
 
-/// Transforms vertices, three 16-bit coordinates x, y and z each. Without outcodes, those that the constants were made
-/// for lie in the viewport.
+/// Transforms vertices of three 16-bit coordinates x, y and z. Without outcodes, all vertices of the mesh must project
+/// into the viewport.
 template <bool WithOutcodes, Form form = Form::fastest, class Vertex>
 inline void transform_vertices(const VertexConstants& constants, std::span<const Vertex> vertices, ScreenVertex* out) {
   static_assert(sizeof(Vertex) == 6);

@@ -21,7 +21,7 @@ inline constexpr Alpha32 opaque_alpha = 32;
 /// nearest, halves up.
 class Premultiplied565 {
  public:
-  constexpr Premultiplied565() = default;  /// fully transparent: it changes no pixel
+  constexpr Premultiplied565() = default;  ///< fully transparent: it changes no pixel
 
   /// Premultiplies a straight colour by its coverage.
   [[nodiscard]] static constexpr Premultiplied565 from(std::uint32_t rgb565, Alpha32 alpha) {

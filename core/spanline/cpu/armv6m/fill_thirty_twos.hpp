@@ -4,8 +4,9 @@
 #if defined(__arm__)
 namespace spanline::armv6m {
 
-/// `count` ≥ 1 times 32 pixels of 16 bits at a word's address, of which `two` has two. Output: the next pixel. Every
-/// Arm core stores four words by one instruction, which compilers do not make of equal words.
+/// Writes `count` ≥ 1 times 32 pixels of 16 bits to a word-aligned address; `two` holds the pixel twice. Output: the
+/// address of the next pixel. Every Arm core can store four words by one instruction, which compilers do not use for
+/// equal words.
 template <class Pixel>
 [[gnu::always_inline]] inline Pixel* fill_thirty_twos(std::uint32_t two, std::uint32_t count, Pixel* pixels) {
   register std::uint32_t a __asm__("r3") = two;

@@ -7,11 +7,11 @@
 #if defined(__ARM_ARCH_6M__)
 namespace spanline::armv6m {
 
-/// What flat rows keep on the stack: what a row adds to its state, in the order in which it takes it up, and what the
-/// triangle's second part needs.
+/// The stack frame of flat rows: steps that are added to the state at each row, in the order in which a row loads them,
+/// and what the triangle's second part needs.
 struct FlatRowSteps {
-  std::uint32_t left, right;  ///< columns, 26 fraction bits or 24
-  std::uint32_t width_bytes;  ///< of a row of either buffer
+  std::uint32_t left, right;  ///< steps of the edges a row, columns, 26 or 24 fraction bits
+  std::uint32_t width_bytes;  ///< bytes of a row in either buffer
   std::uint32_t z;
   std::int32_t rows_after;  ///< rows of the second part that are still to be drawn
   const ActiveTriangle* triangle;
@@ -19,8 +19,8 @@ struct FlatRowSteps {
 static_assert(sizeof(FlatRowSteps) == 24 && offsetof(FlatRowSteps, rows_after) == 16);
 
 // clang-format off
-// A pixel at a byte offset: r0 depth, r1 pixels, r2 plane word, r3 its step, r6 the pixel. Seven instructions, 14
-// bytes.
+// Draws one pixel at a byte offset: 7 instructions, 14 bytes. r0 depth, r1 pixels, r2 plane word, r3 its step, r6 pixel
+// value.
 #define SPANLINE_PIXEL(offset)                                                 \
   "ldrh r4, [r0, #" #offset "]\n\t"                                            \
   "lsrs r5, r2, #16\n\t"                                                       \
@@ -36,9 +36,9 @@ static_assert(sizeof(FlatRowSteps) == 24 && offsetof(FlatRowSteps, rows_after) =
   SPANLINE_PIXEL(14) SPANLINE_PIXEL(12) SPANLINE_PIXEL(10) SPANLINE_PIXEL(8)   \
   SPANLINE_PIXEL(6) SPANLINE_PIXEL(4) SPANLINE_PIXEL(2) SPANLINE_PIXEL(0)
 
-// r8 and r9 columns, r10 plane word of column 0, r11 its depth, r12 that of the row behind the part, r7 bytes from a
-// depth to its pixel, r3 and r6 as above; the stack pointer is at FlatRowSteps. Goes on at 2 where the first part is
-// empty.
+// Loads the state of a triangle: r8 and r9 left and right column, r10 plane word of column 0, r11 address of its depth,
+// r12 the same for the row after the part, r7 bytes from a depth to its pixel, r3 and r6 as above, the stack pointer at
+// FlatRowSteps. Jumps to 2 if the first part is empty.
 #define SPANLINE_ENTER_FLAT_ROWS                                               \
   SPANLINE_ENTER_ROWS(24)                                                      \
   "mov r14, r1\n\t"                                                            \
@@ -69,8 +69,8 @@ static_assert(sizeof(FlatRowSteps) == 24 && offsetof(FlatRowSteps, rows_after) =
   "cmp r11, r12\n\t"                                                           \
   "beq 5f\n\t"
 
-// The run [r0, r4) of the row, r5 its length negated; goes on at `next` where it is empty. Leaves the last pixel's
-// plane word in r2.
+// Finds the row's run [r0, r4); r5 is its negated length. Jumps to `next` if the run is empty. Leaves the plane word of
+// the last pixel in r2.
 #define SPANLINE_FIND_RUN(fraction_bits, next)                                 \
   "mov r0, r8\n\t"                                                             \
   "lsrs r0, r0, #" #fraction_bits "\n\t"                                       \
@@ -84,16 +84,16 @@ static_assert(sizeof(FlatRowSteps) == 24 && offsetof(FlatRowSteps, rows_after) =
   "lsls r0, r0, #1\n\t"                                                        \
   "add r0, r11\n\t"
 
-// Jumps −r5 pixels back from label 3.
+// Jumps to the code of the last −r5 pixels before label 3.
 #define SPANLINE_ENTER_PIXELS                                                  \
   "movs r4, #14\n\t"                                                           \
   "muls r5, r4\n\t"                                                            \
   "subs r5, #(6f + 4 - 3b)\n\t"                                                \
   "6: add pc, r5\n\t"
 
-/// `rows` rows of a small triangle before its knee and `rows_after` behind it, of one pixel value, against a 16-bit
-/// depth buffer, smaller is nearer: what TriangleRows does in C++, with every quantity of the loop in a register. Runs
-/// go from right to left, 21 pixels at most, by a jump into straight code.
+/// Draws the rows of a small triangle in one pixel value, `rows` before its knee and `rows_after` after it, against a
+/// 16-bit depth buffer in which smaller is nearer. It does what FixedRows does in C++, with every quantity of the loop
+/// in a register. Runs have at most 21 pixels and go from right to left, by a jump into straight-line code.
 [[gnu::naked, gnu::noinline]] inline void flat_rows_short(const ActiveTriangle* /*triangle*/, std::uint32_t /*pixel*/,
                                                           const BandTargetWords* /*target*/, std::int32_t /*rows*/,
                                                           std::int32_t /*rows_after*/) {
@@ -113,11 +113,12 @@ static_assert(sizeof(FlatRowSteps) == 24 && offsetof(FlatRowSteps, rows_after) =
                    SPANLINE_LEAVE_ROWS(24));
 }
 
-/// The same for a medium triangle: rows of any length, in blocks of 16 pixels of which the rightmost has the rest.
+/// The same for a medium triangle, whose rows may have any length. They are drawn in blocks of 16 pixels; the rightmost
+/// block has the remaining 1 … 16.
 [[gnu::naked, gnu::noinline]] inline void flat_rows_long(const ActiveTriangle* /*triangle*/, std::uint32_t /*pixel*/,
                                                          const BandTargetWords* /*target*/, std::int32_t /*rows*/,
                                                          std::int32_t /*rows_after*/) {
-  // r14 bytes from a depth to its pixel, r7 blocks left of the one that is drawn.
+  // r14 bytes from a depth to its pixel; r7 number of blocks left of the current one.
   __asm__ volatile(SPANLINE_ENTER_FLAT_ROWS
                    "mov r14, r7\n\t"
                    "b 4f\n"

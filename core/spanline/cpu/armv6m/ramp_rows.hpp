@@ -7,11 +7,11 @@
 #if defined(__ARM_ARCH_6M__)
 namespace spanline::armv6m {
 
-/// What ramp_rows keeps beside its registers, on the stack: what a row adds to its state, in the order in which a row
-/// takes it up, and what the triangle's second part needs.
+/// The stack frame of ramp_rows: steps that are added to the state at each row, in the order in which a row loads them,
+/// and what the triangle's second part needs.
 struct RampRowSteps {
-  std::uint32_t left, right;  ///< columns, 26 fraction bits
-  std::uint32_t width_bytes;  ///< of a row of either buffer
+  std::uint32_t left, right;  ///< steps of the edges a row, columns, 26 fraction bits
+  std::uint32_t width_bytes;  ///< bytes of a row in either buffer
   std::uint32_t z, intensity;
   std::uintptr_t distance;  ///< bytes from a depth to its pixel
   std::int32_t rows_after;  ///< rows of the second part that are still to be drawn
@@ -19,15 +19,15 @@ struct RampRowSteps {
 };
 static_assert(sizeof(RampRowSteps) == 32 && offsetof(RampRowSteps, distance) == 20);
 
-/// A RampSurface.
+/// The words of a RampSurface, in its order.
 struct RampSurfaceWords {
   LinearFunction intensity;
   const std::uint16_t* ramp;
 };
 
 // clang-format off
-// A pixel at a byte offset: r0 depth, r1 pixels, r2 plane word, r7 its step, r3 intensity, r8 its step back, r6 the
-// ramp. Eleven instructions, 22 bytes.
+// Draws one pixel at a byte offset: 11 instructions, 22 bytes. r0 depth, r1 pixels, r2 plane word, r7 its step, r3
+// intensity, r8 its step, which is subtracted, r6 ramp.
 #define SPANLINE_PIXEL(offset)                                                 \
   "ldrh r4, [r0, #" #offset "]\n\t"                                            \
   "lsrs r5, r2, #16\n\t"                                                       \
@@ -41,18 +41,19 @@ struct RampSurfaceWords {
   "1: subs r2, r2, r7\n\t"                                                     \
   "add r3, r8\n\t"
 
-/// `rows` rows of a small triangle before its knee and `rows_after` behind it, whose pixels come from a ramp of 64 by
-/// an interpolated intensity, against a 16-bit depth buffer, smaller is nearer: what TriangleRows does in C++.
+/// Draws the rows of a small triangle, `rows` before its knee and `rows_after` after it, against a 16-bit depth buffer
+/// in which smaller is nearer. An interpolated intensity selects each pixel from a ramp of 64. It does what FixedRows
+/// does in C++.
 ///
-/// Runs go from right to left, 21 pixels at most, by a jump into straight code. Behind a run, plane word and intensity
-/// stand at the pixel left of it; from there the next row's right end is two products away. Modulo 2^32 that is the
-/// word that any other way gives.
+/// Runs have at most 21 pixels and go from right to left, by a jump into straight-line code. After a run, plane word
+/// and intensity belong to the pixel left of it; two products take them to the right end of the next row. Arithmetic
+/// modulo 2^32 makes the result the same as on any other way.
 [[gnu::naked, gnu::noinline]] inline void ramp_rows(const ActiveTriangle* /*triangle*/,
                                                     const RampSurfaceWords* /*surface*/,
                                                     const BandTargetWords* /*target*/, std::int32_t /*rows*/,
                                                     std::int32_t /*rows_after*/) {
-  // r9 and r10 columns, r11 depth of column 0, r12 that of the row behind the part, r14 the first column of the last
-  // run that was drawn; the stack pointer is at RampRowSteps.
+  // r9 and r10 left and right column, r11 address of the depth of column 0, r12 the same for the row after the part,
+  // r14 first column of the run drawn last; the stack pointer is at RampRowSteps.
   __asm__ volatile(
       SPANLINE_ENTER_ROWS(32)
       "ldr r4, [sp, #68]\n\t"  // rows_after

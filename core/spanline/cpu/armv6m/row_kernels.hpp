@@ -11,7 +11,7 @@
 #if defined(__ARM_ARCH_6M__)
 namespace spanline::armv6m {
 
-/// A surface of one pixel value.
+/// A surface that has one pixel value.
 template <class Surface>
 inline constexpr bool flat_surface = [] {
   if constexpr (requires(const Surface& surface) { surface.source(0); })
@@ -26,7 +26,7 @@ template <class Target>
   return reinterpret_cast<const BandTargetWords*>(&target);
 }
 
-/// Rows of a small or medium triangle of one pixel value.
+/// Draws the rows of a small or medium triangle in one pixel value.
 template <class Surface, class Target>
 void draw_flat_rows(const ActiveTriangle& triangle, const Surface& surface, const Target& target, std::int32_t rows,
                     std::int32_t rows_after) {
@@ -37,7 +37,7 @@ void draw_flat_rows(const ActiveTriangle& triangle, const Surface& surface, cons
     flat_rows_long(&triangle, pixel, words(target), rows, rows_after);
 }
 
-/// Rows of a small triangle with a ramp.
+/// Draws the rows of a small triangle whose pixels come from a ramp.
 template <RampSurface Surface, class Target>
 void draw_ramp_rows(const ActiveTriangle& triangle, const Surface& surface, const Target& target, std::int32_t rows,
                     std::int32_t rows_after) {

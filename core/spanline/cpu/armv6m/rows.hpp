@@ -4,12 +4,12 @@
 
 #include "spanline/raster/active_triangle.hpp"
 
-/// What the rows of triangles in assembly have in common (flat_rows.hpp, ramp_rows.hpp): Thumb-1 has
-/// eight registers for arithmetic, and compilers move more between them and the stack than these do.
+/// Code that the row kernels in assembly share (flat_rows.hpp, ramp_rows.hpp). Thumb-1 has eight registers for
+/// arithmetic, and these kernels move less between them and the stack than compiled code does.
 #if defined(__ARM_ARCH_6M__)
 namespace spanline::armv6m {
 
-/// A BandTarget of 16-bit words.
+/// The words of a BandTarget whose depths and pixels have 16 bits.
 struct BandTargetWords {
   std::uint16_t *depth, *pixels;
   std::int32_t width, first_row;
@@ -22,9 +22,9 @@ static_assert(offsetof(ActiveTriangle, origin) == 12 && offsetof(ActiveTriangle,
 
 // clang-format off
 
-// Takes the arguments triangle, r1, target, rows and, on the stack, rows_after. Leaves r0 triangle; r4 depth of the
-// first row's column of origin, which r11 has as well; r5 bytes from a depth to its pixel; r6 those of a row; r12 the
-// depth of the row behind the first part. The stack pointer is at `room` bytes.
+// Takes the arguments triangle, r1, target, rows and, on the stack, rows_after. Output: r0 triangle; r4 and r11 address
+// of the depth at the triangle's column 0 in the first row; r5 bytes from a depth to its pixel; r6 bytes of a row; r12
+// that depth's address in the row after the first part. The stack pointer is lowered to a frame of `room` bytes.
 #define SPANLINE_ENTER_ROWS(room)                                              \
   ".syntax unified\n\t"                                                        \
   "push {r4, r5, r6, r7, lr}\n\t"                                              \
@@ -49,9 +49,9 @@ static_assert(offsetof(ActiveTriangle, origin) == 12 && offsetof(ActiveTriangle,
   "adds r3, r3, r4\n\t"                                                        \
   "mov r12, r3\n\t"
 
-// Goes on at 4 with the second part if it has rows, at 9 if not. On the stack: the steps of the left and the right
-// column, the bytes of a row, and at the offsets named the rows of the second part and the triangle. The columns are in
-// the registers named.
+// Jumps to 4 for the second part if it has rows, otherwise to 9. The stack frame holds the row steps of the left and
+// right column, the bytes of a row, and at the offsets given the rows of the second part and the triangle. The columns
+// are in the registers given.
 #define SPANLINE_SECOND_PART(rows_at, triangle_at, left, right)                \
   "ldr r0, [sp, #" #rows_at "]\n\t"                                            \
   "cmp r0, #0\n\t"                                                             \

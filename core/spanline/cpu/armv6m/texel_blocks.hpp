@@ -8,24 +8,24 @@
 #if defined(__ARM_ARCH_6M__)
 namespace spanline::armv6m {
 
-/// Blocks of a texture against a 16-bit depth buffer, smaller is nearer, in pixels of 16 bits: what BlockRun does in
-/// C++, with every quantity of the loops in a register.
+/// Draws blocks of a texture in 16-bit pixels against a 16-bit depth buffer in which smaller is nearer. It does what
+/// BlockRun does in C++, with every quantity of the loops in a register.
 ///
-/// Where nothing has been drawn in a whole block, its depths are written first and then its pixels: the two together
-/// want more than the eight registers that Thumb-1 has for arithmetic.
+/// In a whole block in which nothing has been drawn, first the depths are written and then the pixels: both loops
+/// together would need more than the eight registers that Thumb-1 has for arithmetic.
 struct TexelRun {
-  std::uint16_t* depth;  ///< of the next pixel; for whole blocks aligned to 4 bytes
+  std::uint16_t* depth;  ///< of the next pixel; aligned to 4 bytes for whole blocks
   std::uint16_t* pixels;
   std::uint32_t z;  ///< plane word at the next pixel
   const std::uint16_t* texels;
-  std::uint32_t dz;              ///< of a column
-  std::uint32_t mask_u, mask_v;  ///< twice those of the table: bytes
+  std::uint32_t dz;              ///< step of the plane word a column
+  std::uint32_t mask_u, mask_v;  ///< masks of the table, doubled to count bytes
 
-  /// What to draw: the blocks up to a pixel, at least one; or steps of u and v, their gains, u and v at the pixel at a
-  /// cut, and where the straight code begins.
+  /// What to draw. `whole`: at least one block, up to the depth at `end`. `part`: a part of a block, by the steps of u
+  /// and v, their increments, u and v at the pixel where the part begins, and the entry into the straight-line code.
   union {
     struct {
-      const void* blocks;  ///< step of u, its gain from piece to piece, the same of v, u and v: 24 bytes each
+      const void* blocks;  ///< of TextureBlock, 24 bytes each
       std::uint16_t* end;
     } whole;
     struct {
@@ -33,16 +33,15 @@ struct TexelRun {
     } part;
   };
 
-  /// Draws whole blocks and goes behind them.
+  /// Draws whole blocks and moves past them.
   [[gnu::always_inline]] void draw_blocks(const void* blocks, std::uint32_t count);
-  /// Draws a block's last 1 … 15 pixels and goes behind them.
+  /// Draws a block's last 1 … 15 pixels and moves past them.
   [[gnu::always_inline]] void draw_rightwards(const TextureBlock& block, std::uint32_t into);
-  /// Draws a block's first 1 … 15 pixels from right to left. Ends a run: it is no more where it was.
+  /// Draws a block's first 1 … 15 pixels from right to left. This must end a run, because the position is not kept.
   [[gnu::always_inline]] void draw_leftwards(const TextureBlock& block, std::uint32_t count);
 
  private:
-  /// Where pixel `number` of the straight code begins: 17 instructions for each, and two for each step from piece to
-  /// piece.
+  /// Offset of the code of pixel `number` in the straight-line code: 17 instructions a pixel, and two between pieces.
   static constexpr std::uint32_t entry_at(std::uint32_t number) { return 35 * number - (number & 3); }
   [[gnu::always_inline]] void draw_whole_blocks();
   [[gnu::always_inline]] void draw_part_rightwards();
@@ -51,11 +50,11 @@ struct TexelRun {
 static_assert(offsetof(TexelRun, dz) == 16 && offsetof(TexelRun, part) == 28);
 
 // clang-format off
-// r0 depth, r1 pixels, r2 u, r3 v, r4 and r5 free, r6 and r7 masks, r8 plane word, r9 and r10 steps, r11 and r12 their
-// gains, r14 the table. On the stack: dz, the blocks, their end, the run, and what r7 was, which compilers may hold as
-// the frame pointer and do not give away.
+// r0 depth, r1 pixels, r2 u, r3 v, r4 and r5 free, r6 and r7 masks, r8 plane word, r9 and r10 steps of u and v, r11 and
+// r12 their increments, r14 table. On the stack: dz, the blocks, their end, the run, and the caller's r7, which
+// compilers may use as the frame pointer and do not allow to be clobbered.
 
-// A depth at a byte offset; r2 the plane word and r3 its step.
+// Writes a depth at a byte offset; r2 plane word, r3 its step.
 #define SPANLINE_DEPTH(offset)                                                 \
   "lsrs r4, r2, #16\n\t"                                                       \
   "strh r4, [r0, #" #offset "]\n\t"                                            \
@@ -78,7 +77,7 @@ static_assert(offsetof(TexelRun, dz) == 16 && offsetof(TexelRun, part) == 28);
   "add r9, r11\n\t"                                                            \
   "add r10, r12\n\t"
 
-// The same where the depth passes.
+// Draws a pixel at a byte offset if its depth passes the test.
 #define SPANLINE_TESTED(offset)                                                \
   "mov r4, r8\n\t"                                                             \
   "lsrs r4, r4, #16\n\t"                                                       \
@@ -123,7 +122,7 @@ inline void TexelRun::draw_whole_blocks() {
                    "push {r3, r4, r5}\n\t"
                    "movs r0, r1\n\t"
                    "movs r1, r2\n"
-                   // Whether all depths of the block are as they were cleared.
+                   // Tests whether all depths of the block are still clear.
                    "2: movs r2, r0\n\t"
                    "ldmia r2!, {r3, r4, r5}\n\t"
                    "ands r3, r4\n\t"
@@ -166,14 +165,14 @@ inline void TexelRun::draw_whole_blocks() {
                    : "r1", "r2", "r3", "r4", "r5", "r6", "r8", "r9", "r10", "r11", "r12", "lr", "cc", "memory");
 }
 
-// A block from right to left: its steps are those of the piece that they lead into.
+// Draws a block from right to left. A step between pieces uses the steps of the piece that it enters.
 #define SPANLINE_BLOCK_LEFTWARDS(PIXEL)                                        \
   SPANLINE_PIECE(PIXEL, 30, 28, 26, 24) SPANLINE_NEXT_PIECE SPANLINE_STEP            \
   SPANLINE_PIECE(PIXEL, 22, 20, 18, 16) SPANLINE_NEXT_PIECE SPANLINE_STEP            \
   SPANLINE_PIECE(PIXEL, 14, 12, 10, 8) SPANLINE_NEXT_PIECE SPANLINE_STEP             \
   SPANLINE_PIECE(PIXEL, 6, 4, 2, 0)
 
-// Registers as above, but on the stack dz, the run 16 bytes behind its start, and what r7 was.
+// Registers are as above. On the stack: dz, the address 16 bytes into the run, and the caller's r7.
 #define SPANLINE_ENTER_BLOCK(BLOCK, WRITE_BACK)                                \
   register TexelRun* self __asm__("r0") = this;                                \
   __asm__ volatile(".syntax unified\n\t"                                       \
@@ -242,7 +241,7 @@ inline void TexelRun::draw_rightwards(const TextureBlock& block, std::uint32_t i
   draw_part_rightwards();
 }
 
-// The gains are those of going right: what is taken from a step is added to its negative.
+// The increments apply to walking right; here they are subtracted from the steps, that is, added to the negated steps.
 inline void TexelRun::draw_leftwards(const TextureBlock& block, std::uint32_t count) {
   TextureSteps at_last;
   at_last.restart(block);
@@ -253,9 +252,9 @@ inline void TexelRun::draw_leftwards(const TextureBlock& block, std::uint32_t co
   draw_part_leftwards();
 }
 
-/// A run whose blocks the surface can give some at a time; false, with nothing drawn, where it cannot. What these loops
-/// cannot take goes to `Portable`, a BlockRun: the middle of one block, and whole blocks whose depths do not begin at a
-/// word's address.
+/// Draws a run whose surface can give several blocks at once; returns false and draws nothing if it cannot. Two cases
+/// go to `Portable`, a BlockRun: a run inside one block that touches neither of its ends, and whole blocks whose depths
+/// are not word-aligned.
 template <class Portable, TableSurface Surface>
 [[gnu::always_inline]] inline bool texel_run(std::uint16_t* depth, std::uint16_t* pixels, std::uint32_t count,
                                              std::uint32_t z, std::uint32_t dz, const Surface& surface,

@@ -5,7 +5,8 @@
 namespace spanline::armv6m {
 
 // clang-format off
-// One axis: r0 the block, r1 seed, r3 correction, r4 bow. Output: its start.
+// Makes one axis of a block: r0 block, r1 seed, r3 correction, r4 bow. Output: the coordinate at the block's start in
+// `start`, and that at its end in `from`.
 #define SPANLINE_AXIS(part, from, shift, STEP, start)                          \
   "mov r5, " part "\n\t"                                                       \
   "lsrs r5, r5, #10\n\t"                                                       \
@@ -32,12 +33,12 @@ namespace spanline::armv6m {
   "asrs r7, r7, #4\n\t"                                                        \
   "stmia r0!, {r5, r7}\n\t"
 
-/// As portable::make_texture_blocks.
+/// The same as portable::make_texture_blocks.
 [[gnu::always_inline]] inline void make_texture_blocks(TextureBlockMaker& maker) {
   register TextureBlockMaker* self __asm__("r0") = &maker;
-  // r8 w, r9 and r10 u and v, r11 and r12 where they come from, r14 the step of u. On the stack: shifts, the step of
-  // v, fall, end, seeds 256 entries before their first, upper fall, where `out` is kept, and what r7 was, which compilers
-  // may hold as the frame pointer and do not give away.
+  // r8 w, r9 and r10 u and v, r11 and r12 the coordinates at the last block's end, r14 step of u. On the stack: the
+  // shifts, the step of v, fall, end, the address 256 entries before the first seed, upper fall, the address of `out`,
+  // and the caller's r7, which compilers may use as the frame pointer and do not allow to be clobbered.
   __asm__ volatile(".syntax unified\n\t"
                    "push {r7}\n\t"
                    "ldmia r0!, {r1, r2, r3, r4, r5}\n\t"
@@ -59,7 +60,7 @@ namespace spanline::armv6m {
                    "push {r2, r3, r5, r6}\n\t"
                    "movs r0, r1\n\t"
                    "mov r5, r8\n"
-                   "1: lsrs r6, r5, #23\n\t"    // 256 and more: the top bit is set
+                   "1: lsrs r6, r5, #23\n\t"    // 256 and more, because the top bit is set
                    "lsls r6, r6, #1\n\t"
                    "ldr r7, [sp, #20]\n\t"
                    "ldrh r1, [r7, r6]\n\t"

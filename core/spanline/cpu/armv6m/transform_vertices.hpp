@@ -9,29 +9,31 @@
 #if defined(__ARM_ARCH_6M__)
 namespace spanline::armv6m {
 
-/// VertexConstants in the order in which a vertex takes it up: a load of several words costs a cycle a
-/// word, one of a single word two.
+/// VertexConstants in the order in which the code for a vertex loads them: a load of several words costs about one
+/// cycle a word, a load of a single word costs two.
 struct TransformWords {
-  std::uint32_t z_high[3], z_low[3], z_offset;  ///< distance: entries in whole units, and 14 fraction bits of them
+  std::uint32_t z_high[3], z_low[3], z_offset;  ///< distance: whole units and 14 fraction bits of the matrix entries
   std::int32_t x[3], x_offset, y[3], y_offset;
   const std::uint8_t* leading_zeros_of_byte;
   const std::uint16_t* reciprocal_seed;
   std::int32_t shift, twice_centre_x, twice_centre_y;
-  std::uint32_t scale_low, scale_high;  ///< halves of depth_scale
+  std::uint32_t scale_low, scale_high;  ///< halfwords of depth_scale
   std::int32_t depth_shift;
   std::uint32_t depth_base;
   std::int32_t depth_fraction, nearest, farthest;
-  std::uint32_t depth_position;  ///< bits below depth in a vertex's word
+  std::uint32_t depth_position;  ///< position of the lowest bit of depth in a vertex's word
 };
 static_assert(sizeof(TransformWords) == 28 * 4);
 
 // clang-format off
 
-/// The vertices [first, end), 6 bytes each, one at least, without outcodes: what portable::transform_vertices does in
-/// C++, whose compilers keep its constants on the stack and fetch them one by one. Distances are at least 2^24.
+/// Transforms the vertices [first, end), at least one, of 6 bytes each, without outcodes. It does what
+/// portable::transform_vertices does in C++, where compilers keep the constants on the stack and load them one by one.
+/// Distances must be at least 2^24.
 [[gnu::naked, gnu::noinline]] inline void transform_by_words(const TransformWords* /*words*/, const void* /*first*/,
                                                              ScreenVertex* /*out*/, const void* /*end*/) {
-  // r8 vertex, r9 output, r10 constants, r11 and r12 x and y in view space, r14 distance; the end on the stack.
+  // r8 vertex, r9 output, r10 constants, r11 and r12 x and y in view space, r14 distance; on the stack the end of the
+  // vertices.
   __asm__ volatile(
       ".syntax unified\n\t"
       "push {r4, r5, r6, r7, lr}\n\t"
@@ -180,7 +182,7 @@ static_assert(sizeof(TransformWords) == 28 * 4);
 
 // clang-format on
 
-/// As portable::transform_vertices.
+/// The same as portable::transform_vertices.
 inline void transform_vertices(const VertexConstants& constants, const void* first, ScreenVertex* out,
                                const void* end) {
   if (first == end) return;

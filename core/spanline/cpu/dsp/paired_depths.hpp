@@ -9,16 +9,16 @@
 
 namespace spanline::dsp {
 
-/// The upper halves of two plane words, one behind the other as they lie in memory.
+/// Packs the upper halves of two plane words into one word, in the order of their pixels in memory.
 [[gnu::always_inline]] inline std::uint32_t packed_depths(std::uint32_t left, std::uint32_t right) {
   std::uint32_t pair;
   __asm__("pkhtb %0, %1, %2, asr #16" : "=r"(pair) : "r"(right), "r"(left));
   return pair;
 }
 
-/// Eight pixels at a time of one value against 16-bit depths, smaller is nearer, as long as so many are left: USUB16
-/// compares two depths, SEL picks the survivors. `depth` is at a word's address. Output: the arguments on the first
-/// pixel that is left.
+/// Draws pixels of one value against 16-bit depths, smaller is nearer, in groups of eight while at least eight are
+/// left. USUB16 compares two depths at once and SEL selects the nearer of each. `depth` is word-aligned. Output: the
+/// arguments are advanced to the first pixel not drawn.
 template <class Word, class Pixel>
 [[gnu::always_inline]] inline void paired_depths(Word*& depth, Pixel*& pixels, std::uint32_t& count, std::uint32_t& z,
                                                  std::uint32_t dz, Pixel pixel) {
@@ -30,7 +30,7 @@ template <class Word, class Pixel>
     std::uint32_t kept;
     const std::uint32_t candidates = packed_depths(z, z_right);
     __builtin_memcpy(&kept, depth + 2 * i, 4);
-    __usub16(candidates, kept);  // GE set where candidate >= kept
+    __usub16(candidates, kept);  // sets GE where candidate >= kept
     const std::uint32_t nearest = __sel(kept, candidates);
     if (nearest != kept) {
       std::uint32_t old_pixels;

@@ -6,7 +6,7 @@
 
 namespace spanline::thumb2 {
 
-/// A signed value clamped to [0, 2^Bits), in one instruction.
+/// Clamps a signed value to [0, 2^Bits) in one instruction.
 template <int Bits>
 [[nodiscard]] inline std::uint32_t clamp_to_bits(std::int32_t value) {
   return __usat(value, Bits);

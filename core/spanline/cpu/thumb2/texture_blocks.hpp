@@ -5,7 +5,7 @@
 namespace spanline::thumb2 {
 
 // clang-format off
-// One axis: r0 bow, r6 the block.
+// Sets the chords of one axis: r0 bow, r6 block.
 #define SPANLINE_CHORDS(from, to, at)                                          \
   "sub r1, " to ", " from "\n\t"        /* the distance */                     \
   "asrs r4, r1, #12\n\t"                                                       \
@@ -18,7 +18,7 @@ namespace spanline::thumb2 {
   "asrs r4, r4, #7\n\t"                                                        \
   "strd r1, r4, " at "\n\t"
 
-// A share: part · seed and its correction of first order, r1.
+// Computes a share: part · seed with its first-order correction, which is in r1.
 #if defined(__ARM_FEATURE_DSP)
 #define SPANLINE_SCALE_CORRECTION "lsls r1, r1, #8\n\t"
 #define SPANLINE_CORRECT(to) "smlawt " to ", r1, " to ", " to "\n\t"
@@ -30,7 +30,8 @@ namespace spanline::thumb2 {
   "add " to ", " to ", r4, asr #8\n\t"
 #endif
 
-// A block. Where it ends is where the next one begins: two of them leave every register in its place.
+// Makes one block. The end of a block is the start of the next, so two blocks in a row use the registers in turn and no
+// moves are needed.
 #define SPANLINE_MAKE(from_u, from_v, to_u, to_v, end)                         \
   "ldrd r1, r5, [sp]\n\t"                                                      \
   "ubfx r0, r8, #23, #8\n\t"                                                   \
@@ -64,11 +65,11 @@ namespace spanline::thumb2 {
   "beq " end "\n\t"                                                            \
   "subs r8, r8, r0\n\t"
 
-/// As portable::make_texture_blocks.
+/// The same as portable::make_texture_blocks.
 [[gnu::always_inline]] inline void make_texture_blocks(TextureBlockMaker& maker) {
   register TextureBlockMaker* self __asm__("r0") = &maker;
-  // r8, r9, r10 w, u and v; r7 and r14 shifts; on the stack: seeds, upper fall, steps, fall, end, and what r7 was, which
-  // compilers may hold as the frame pointer and do not give away.
+  // r8, r9, r10 w, u and v; r7 and r14 shifts; on the stack: seeds, upper fall, steps, fall, end, and the caller's r7,
+  // which compilers may use as the frame pointer and do not allow to be clobbered.
   __asm__ volatile(".syntax unified\n\t"
                    "mov r4, r7\n\t"
                    "ldmia r0!, {r8, r9, r10, r11, r12}\n\t"

@@ -32,7 +32,7 @@ class FogTable {
  private:
   static constexpr std::uint32_t least = 1u << (32 - halvings);
   std::array<std::uint8_t, halvings * steps> shares_{};
-  std::uint32_t slope_ = 0;  /// decrease of nearness over the whole depth range, Q32
+  std::uint32_t slope_ = 0;  ///< decrease of nearness over the whole depth range, Q32
 };
 
 /// Effects that a frame applies to every pixel, in shaders that support them.

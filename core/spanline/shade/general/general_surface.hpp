@@ -15,7 +15,7 @@ namespace spanline {
 /// One mip level of a texture and how it is sampled.
 struct TexelSource {
   const Texture* texture;
-  std::size_t offset;  /// of the level in the table, texels
+  std::size_t offset;  ///< of the level in the table, texels
   std::uint8_t level, log2_width, log2_height;
 
   [[nodiscard]] static TexelSource of(const Texture& texture, unsigned level);
@@ -24,12 +24,12 @@ struct TexelSource {
 /// The state that `GeneralShader` keeps of a polygon. What to do with it is decided at each pixel.
 struct GeneralSurface {
   TexturePlane plane;
-  LinearFunction red, green, blue;  /// colour of the lit surface, 8 bits a channel in bits 31…24
-  LinearFunction nearness;          /// position in the fog table, used in frames with fog
+  LinearFunction red, green, blue;  ///< colour of the lit surface, 8 bits a channel in bits 31…24
+  LinearFunction nearness;          ///< position in the fog table, used in frames with fog
   TexelDensity density;
   const TexturedGroup* group;
   bool textured;
-  std::uint16_t row;  /// screen row, pixels
+  std::uint16_t row;  ///< screen row, pixels
 
   void next_row() { skip_rows(1); }
   void skip_rows(std::int32_t rows) {
@@ -47,13 +47,13 @@ struct GeneralSurface {
 /// Inputs of one pixel: texture coordinates in 2^-16 texels of level 0, and colours with 8 bits in bits 31…24.
 struct GeneralPixel {
   std::uint32_t u, v, red, green, blue, nearness;
-  std::int32_t column;  /// screen column, pixels
+  std::int32_t column;  ///< screen column, pixels
 };
 
 /// The result of one pixel.
 struct GeneralColour {
   std::uint16_t rgb565;
-  std::uint8_t opacity;  /// of its texels, 255ths; 255 unless the texels blend
+  std::uint8_t opacity;  ///< of its texels, 255ths; 255 unless the texels blend
 };
 
 /// Whether the pixel is drawn at all. The nearest texel alone decides, whatever the filter.

@@ -45,8 +45,8 @@ namespace spanline {
 template <class Format>
 struct PixelLayer {
   typename Format::Pixel pixel;
-  std::uint8_t alpha;  /// coverage, 32nds, [0, 32]
-  bool adds;           /// whether it adds its colour (Transparency::add)
+  std::uint8_t alpha;  ///< coverage, 32nds, [0, 32]
+  bool adds;           ///< whether it adds its colour (Transparency::add)
 
   /// Composes the layer over a pixel.
   void over(typename Format::Pixel& below) const {

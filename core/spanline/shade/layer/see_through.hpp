@@ -186,10 +186,10 @@ struct SeeThroughShader {
 
   struct Surface {
     typename Inner::Surface inner;
-    std::uint32_t owner;  /// number that selects the surface's stipple pattern
+    std::uint32_t owner;  ///< number that selects the surface's stipple pattern
     Layering layering;
-    std::int16_t origin;  /// screen column of column 0
-    std::uint16_t row;    /// screen row, pixels
+    std::int16_t origin;  ///< screen column of column 0
+    std::uint16_t row;    ///< screen row, pixels
 
     void next_row() {
       inner.next_row();

@@ -16,7 +16,7 @@ namespace spanline {
 /// serve stochastic transparency, which averages several of them.
 namespace stipple {
 
-inline constexpr std::uint32_t levels = 64;  /// the level of an opaque surface; with 0 there are 65 levels
+inline constexpr std::uint32_t levels = 64;  ///< the level of an opaque surface; with 0 there are 65 levels
 
 /// The level of an opacity in [0, 255], rounded to nearest.
 [[nodiscard]] constexpr std::uint32_t level_of(std::uint32_t opacity) { return (opacity * 128 + 255) / 510; }

@@ -19,7 +19,7 @@ struct TranslucentShader {
   struct Surface;
 
   struct Source : General::Source {
-    std::uint32_t of_vertices, step;  /// opacity of the vertices and its step a column, 8 bits in bits 31…24
+    std::uint32_t of_vertices, step;  ///< opacity of the vertices and its step a column, 8 bits in bits 31…24
 
     /// The pixel's opacity, 255ths of the material's.
     [[nodiscard]] std::uint32_t opacity() const {
@@ -67,7 +67,7 @@ struct TranslucentShader {
   };
 
   struct Surface : GeneralSurface {
-    LinearFunction opacity;  /// opacity of the vertices, 8 bits in bits 31…24
+    LinearFunction opacity;  ///< opacity of the vertices, 8 bits in bits 31…24
 
     void next_row() { skip_rows(1); }
     void skip_rows(std::int32_t rows) {

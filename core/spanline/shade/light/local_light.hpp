@@ -13,7 +13,7 @@ namespace spanline {
 /// The light that a point of a surface reflects to the eye, split by the colour that it multiplies: the surface's, and
 /// the highlights'.
 struct SurfaceLight {
-  Intensity diffuse, highlight;  /// 1/65536, [0, 65535]
+  Intensity diffuse, highlight;  ///< 1/65536, [0, 65535]
 };
 
 /// Light that depends on the position of a surface and of the eye: all lights of a frame, directional and point lights,
@@ -43,10 +43,10 @@ class LocalLighting {
   /// A position in the mesh's axes, units of 2^-exponent_ mesh steps.
   using Point = Vec3<std::int64_t>;
   struct Light {
-    Direction towards;  /// unit vector to the light; directional lights only
-    Point position;     /// point lights only
+    Direction towards;  ///< unit vector to the light; directional lights only
+    Point position;     ///< point lights only
     std::int64_t range;
-    std::uint32_t intensity;  /// 1/65536
+    std::uint32_t intensity;  ///< 1/65536
     bool point;
   };
 
@@ -61,8 +61,8 @@ class LocalLighting {
   std::uint32_t light_count_ = 0;
   Light lights_[2 * Lighting::max_lights] = {};
   bool local_eye_ = false;
-  Point eye_{};          /// position of the eye; perspective views only
-  Direction backwards_;  /// unit vector to the eye; orthographic views only
+  Point eye_{};          ///< position of the eye; perspective views only
+  Direction backwards_;  ///< unit vector to the eye; orthographic views only
   Rgb888 specular_{0, 0, 0};
   std::uint8_t shininess_ = 1;
 };

@@ -12,13 +12,13 @@ namespace spanline {
 /// The state of any polygon whose pixels are computed one by one.
 struct PixelwiseSurface {
   TexturePlane plane;
-  LinearFunction light;      /// intensity, 1/65536 with 16 guard bits
-  LinearFunction highlight;  /// intensity of the highlight in the same format, if the material has highlights
-  LinearFunction nearness;   /// position in the fog table, in frames with fog
+  LinearFunction light;      ///< intensity, 1/65536 with 16 guard bits
+  LinearFunction highlight;  ///< intensity of the highlight in the same format, if the material has highlights
+  LinearFunction nearness;   ///< position in the fog table, in frames with fog
   const TexturedGroup* group;
-  bool plain;  /// there are no highlights, fog or dither
+  bool plain;  ///< there are no highlights, fog or dither
   bool shines;
-  std::uint16_t row;  /// screen row, pixels
+  std::uint16_t row;  ///< screen row, pixels
 
   void skip_rows(std::int32_t rows) {
     plane.skip_rows(rows);

@@ -34,11 +34,11 @@ void shade_vertices_for_relief(const Mesh& mesh, const ShadingGroup& group, std:
 /// light is N·L.
 struct ReliefSurface : PixelwiseSurface {
   std::int32_t along_s,
-      along_t;          /// bump: T·L and B·L, 2^14. Emboss: the step towards the light, −1, 0 or 1 texel each way
-  std::int32_t turned;  /// emboss: light added by turning the normal, 2^14
-  std::int32_t factor;  /// bump: slope for a height difference of 1, 2^16. Emboss: cosine of the turn, 2^14
+      along_t;          ///< bump: T·L and B·L, 2^14. Emboss: the step towards the light, −1, 0 or 1 texel each way
+  std::int32_t turned;  ///< emboss: light added by turning the normal, 2^14
+  std::int32_t factor;  ///< bump: slope for a height difference of 1, 2^16. Emboss: cosine of the turn, 2^14
   std::uint16_t ambient;
-  std::uint16_t colour;  /// RGB565; used without a texture
+  std::uint16_t colour;  ///< RGB565; used without a texture
 
   /// The light at a point of the height map, 65535ths.
   [[nodiscard]] std::uint32_t light_at(std::uint32_t u, std::uint32_t v, std::int32_t facing) const;

@@ -27,8 +27,8 @@ struct TableSolid {
 /// (a, b) are texture coordinates with 24 fraction bits that are 0 or 1 at the corners and are interpolated between
 /// them in correct perspective.
 struct VolumeGeometry : PixelwiseSurface {
-  std::array<std::uint32_t, 3> corner;  /// s, t and r of the first corner, 2^-32 cubes
-  std::array<std::int32_t, 3> e, f;     /// sides from the first corner, 2^-16 cubes
+  std::array<std::uint32_t, 3> corner;  ///< s, t and r of the first corner, 2^-32 cubes
+  std::array<std::int32_t, 3> e, f;     ///< sides from the first corner, 2^-16 cubes
 
   [[nodiscard]] std::uint32_t coordinate(unsigned axis, std::uint32_t a, std::uint32_t b) const {
     const std::int32_t share_a = signed_word(a) >> 8, share_b = signed_word(b) >> 8;

@@ -75,10 +75,11 @@ CertainBlocks::CertainBlocks(const TexturePlane& plane, std::int32_t column, std
   u_ = start_u + du_;
   v_ = start_v + dv_;
   const std::uint32_t last_w = w_ - fall_ * blocks_behind;
-  // With this, w at the start is positive.
+  // u ≥ 0 at the last block's end together with u ≤ w at the start makes w positive at the start.
   certain_ = start_u <= start_w && start_v <= start_w &&
              in_range(last_w, u_ + du_ * blocks_behind, v_ + dv_ * blocks_behind) &&
-             (signed_word(fall_) >= 0 ? fall_ <= last_w >> 2 : 0u - fall_ <= w_ >> 2);  // gentle, where w is smallest
+             (signed_word(fall_) >= 0 ? fall_ <= last_w >> 2
+                                      : 0u - fall_ <= w_ >> 2);  // curvature is checked at the end where w is smallest
   if (!certain_) return;
   maker_.shift_u = word(plane.shift_u);
   maker_.shift_v = word(plane.shift_v);
@@ -87,7 +88,7 @@ CertainBlocks::CertainBlocks(const TexturePlane& plane, std::int32_t column, std
   maker_.from_u = inverse.share(start_u << zeros) >> maker_.shift_u;
   maker_.from_v = inverse.share(start_v << zeros) >> maker_.shift_v;
   maker_.seeds = detail::texture_reciprocal_seed.data();
-  // No step is longer than a quarter of w, so that a carry clears the top bit as well as a borrow does.
+  // |step| ≤ w/4, so overflow and underflow both clear bit 31.
   if (signed_word(w_ << zeros) >= 0) zeros = leading_zeros_32(w_);
   normalise(zeros, w_, u_, v_);
   take();

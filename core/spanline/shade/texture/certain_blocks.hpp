@@ -6,24 +6,25 @@
 
 namespace spanline {
 
-/// The blocks of a run, where they can be had without a question to each: affine ones, and those in perspective if
-/// all are drawn as parabolas. The words of the plane are linear, so what holds for the run's first and last block
-/// holds for those between.
+/// The blocks of a run, for runs whose blocks need no check one by one: affine ones, and those in perspective if every
+/// block can be drawn as a parabola. w, u and v are linear along the run, so one check at both ends covers all blocks
+/// between.
 class CertainBlocks {
  public:
-  /// With the first blocks at hand.
+  /// Checks the run and makes its first blocks.
   CertainBlocks(const TexturePlane& plane, std::int32_t column, std::uint32_t count);
   [[nodiscard]] bool certain() const { return certain_; }
-  /// Columns from the first block's start to the run.
+  /// Columns from the start of the first block to the start of the run.
   [[nodiscard]] std::uint32_t into_block() const { return into_block_; }
-  /// Those at hand, at least one.
+  /// The blocks made last, at least one.
   [[nodiscard]] const TextureBlock* blocks() const { return blocks_; }
   [[nodiscard]] std::uint32_t count() const { return count_; }
-  /// Goes on to the next ones; false if there are none.
+  /// Makes the next blocks; false if there are none.
   [[nodiscard]] bool next() { return left_ != 0 && take_next(); }
 
  private:
-  static constexpr std::uint32_t most = 21;  ///< at a time: 320 columns
+  static constexpr std::uint32_t most =
+      21;  ///< blocks made at a time; 21 of them cover 320 columns wherever they begin
 
   bool take_next();
   void take();
@@ -33,10 +34,11 @@ class CertainBlocks {
 
   bool certain_, affine_;
   std::uint32_t into_block_;
-  std::uint32_t count_, left_;    ///< blocks at hand, and behind them
-  std::uint32_t w_, u_, v_;       ///< at the end of the first block. Affine: coordinates at the start of the next
-  std::uint32_t fall_, du_, dv_;  ///< of w, and steps of u and v, a block. Affine: a column
-  std::uint32_t made_ = 0;        ///< blocks before those at hand
+  std::uint32_t count_, left_;  ///< number of blocks made last, and of those still to be made
+  std::uint32_t w_, u_,
+      v_;  ///< perspective: at the end of the first block. Affine: coordinates at the start of the next block
+  std::uint32_t fall_, du_, dv_;  ///< decrease of w and steps of u and v. Perspective: a block. Affine: a column
+  std::uint32_t made_ = 0;        ///< number of blocks that precede those made last
   TextureBlockMaker maker_;
   TextureBlock blocks_[most];
 };

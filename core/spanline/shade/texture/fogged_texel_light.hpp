@@ -14,28 +14,28 @@
 
 namespace spanline {
 
-/// Light of texels in a frame with fog: none, a level a polygon or one interpolated between the vertices, and the fog's
-/// share of the pixel.
+/// Light on texels in a frame with fog. The light is full, constant over a polygon, or interpolated between the
+/// vertices; the fog has a share of each pixel.
 ///
-/// Both are known where blocks of 16 columns of the screen end: the fog by its table over nearness, the light times
-/// what the fog leaves of it; between them they are linear, and each piece of 4 columns has one level of both. A
-/// channel is (texel · light + fog colour · fog)/32 rounded to nearest, for levels in 32nds rounded to nearest, whose
-/// sum is never above 32.
+/// Both are computed where blocks of 16 screen columns end: the fog from its table over nearness, and the light
+/// multiplied by the share that the fog leaves. Between block ends they are linear, and each piece of 4 columns uses
+/// one level of both. A channel is (texel · light + fog colour · fog)/32, rounded to nearest. The two levels are 32nds,
+/// rounded to nearest, and their sum is at most 32.
 struct FoggedTexelLight {
   static constexpr bool interpolates = true, fogged = true;
   static constexpr std::uint32_t block_columns = 16, piece_columns = 4;
 
-  /// Two levels of 6 bits and 10 fraction bits.
+  /// Levels of light and fog, 32nds with 10 fraction bits.
   struct Levels {
     std::uint32_t light, fog;
   };
 
   struct Stepper {
-    std::uint32_t light;         ///< level of the piece
-    std::uint32_t fog;           ///< fog colour times its level, spread, and halves
-    std::uint32_t levels, step;  ///< light above fog; a piece
+    std::uint32_t light;         ///< level of the current piece, 32nds
+    std::uint32_t fog;           ///< fog colour times its level, plus ½ in each channel; a spread word times 32
+    std::uint32_t levels, step;  ///< light in bits 31…16 and fog in bits 15…0, and their step a piece; 10 fraction bits
     const FoggedTexelLight* surface;
-    Levels end;  ///< of the block
+    Levels end;  ///< levels at the end of the block
     std::int32_t end_column;
 
     [[nodiscard]] std::uint32_t apply(std::uint32_t rgb565) const {
@@ -43,19 +43,19 @@ struct FoggedTexelLight {
     }
     void forward() {}
     void back() {}
-    /// To the next piece of the block.
+    /// Moves to the next piece of the block.
     void next_piece() {
       levels += step;
       set();
     }
-    /// To the first piece of the next block.
+    /// Moves to the first piece of the next block.
     void next_block() {
       const Levels start = end;
       end_column += static_cast<std::int32_t>(block_columns);
       end = surface->levels_at(end_column);
       const std::int32_t light_way = signed_word(end.light - start.light), fog_way = signed_word(end.fog - start.fog);
-      // Those of the first piece's middle. One of the halves is a unit less, so that levels which make 32 together are
-      // not both rounded up.
+      // The levels at the middle of the first piece, plus ½ for rounding. One of the two halves is smaller by one unit,
+      // so that levels whose sum is 32 are not both rounded up.
       const std::uint32_t first_light = start.light + word(light_way >> 3) + 511;
       const std::uint32_t first_fog = start.fog + word(fog_way >> 3) + 512;
       step = (word(light_way >> 2) << 16) + word(fog_way >> 2);
@@ -75,10 +75,10 @@ struct FoggedTexelLight {
     }
   };
 
-  LinearFunction light, nearness;  ///< Q28, signed: block ends may lie outside the polygon
+  LinearFunction light, nearness;  ///< Q28, signed, because a block may end outside the polygon
   const FogTable* fog;
   std::uint32_t fog_colour;
-  std::int16_t origin;  ///< screen column from which columns count
+  std::int16_t origin;  ///< screen column of column 0
 
   void next_row() {
     light.next_row();
@@ -88,7 +88,7 @@ struct FoggedTexelLight {
     light.skip_rows(rows);
     nearness.skip_rows(rows);
   }
-  /// Levels where a block begins.
+  /// The levels at the start of the block that begins at `column`.
   [[nodiscard]] Levels levels_at(std::int32_t column) const {
     const std::uint32_t share = fog->at(in_28_bits(nearness.at(column)) << 4), share_256 = share + (share >> 7);
     return {(in_28_bits(light.at(column)) >> 13) * (256 - share_256) >> 8, share_256 << 7};
@@ -120,10 +120,10 @@ struct FoggedTexelLight {
   }
 
  private:
-  /// [0, 1) of a signed value in Q28.
+  /// Clamps a signed value in Q28 to [0, 1).
   [[nodiscard]] static std::uint32_t in_28_bits(std::uint32_t value) { return clamp_to_bits<28>(signed_word(value)); }
-  /// Through values of 20 bits at the corners. Where it is too steep for a block's end, the polygon, which is a column
-  /// or two wide, has one value.
+  /// Fits a function to 20-bit values at the corners. If it is so steep that it could overflow at the end of a block,
+  /// the polygon is only a column or two wide and gets a constant.
   template <class Gradients>
   static void fit(const std::array<std::int32_t, 3>& values, const Gradients& gradients, LinearFunction& function) {
     constexpr std::int32_t bias = 1 << 23;  // the fit takes numbers in [0, 2^24)
@@ -146,7 +146,7 @@ struct FoggedTexelLight {
   }
 };
 
-/// Textures in fog, lit or not: what NearestTextureShader is without.
+/// The variant of NearestTextureShader for frames with fog, lit or unlit.
 template <class Format, TexelFormat Texels>
 using FoggedTextureShader = TextureShader<Format, NearestTexels<Texels>, FoggedTexelLight>;
 

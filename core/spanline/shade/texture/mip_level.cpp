@@ -7,7 +7,8 @@
 namespace spanline {
 namespace {
 
-/// A product of a side in 2^-16 textures and one on the other axis; enough of it for a logarithm.
+/// Twice the area of a triangle, from two of its sides. It is shifted down by `shift` to fit 32 bits, which is accurate
+/// enough for a logarithm.
 std::uint32_t doubled_area(std::int64_t ax, std::int64_t ay, std::int64_t bx, std::int64_t by, int& shift) {
   const std::int64_t cross = ax * by - ay * bx;
   auto area = static_cast<std::uint64_t>(cross < 0 ? -cross : cross);
@@ -20,7 +21,7 @@ std::uint32_t doubled_area(std::int64_t ax, std::int64_t ay, std::int64_t bx, st
 std::int32_t log2_in_256ths(std::uint32_t value) {
   const int zeros = leading_zeros_32(value);
   const std::uint32_t fraction = ((value << zeros) >> 23) & 255;
-  // log2(1 + f) is f and a bow of at most 22 256ths; a parabola follows it to 2.
+  // log2(1 + f) exceeds f by at most 22/256; a parabola approximates the excess to within 2/256.
   const std::uint32_t bow = fraction * (256 - fraction) * 22 >> 14;
   return (31 - zeros) * 256 + signed_word(fraction + bow);
 }
@@ -36,7 +37,7 @@ TexelDensity texel_density(const std::array<const ScreenVertex*, 3>& screen,
   const auto x = [&](unsigned i) { return static_cast<std::int64_t>(screen[i]->x) - screen[0]->x; };
   const auto y = [&](unsigned i) { return static_cast<std::int64_t>(screen[i]->y) - screen[0]->y; };
   const std::uint32_t pixels = doubled_area(x(1), y(1), x(2), y(2), pixel_shift);
-  // Texels: 2^-32 textures times their size. Pixels: 256 square sixteenths.
+  // The area in texels is 2^-32 square textures times the texture's size; a pixel is 256 square sixteenths.
   const int exponent = texture.log2_width + texture.log2_height - 32 + texel_shift + 8 - pixel_shift;
   const std::int32_t doubled = log2_in_256ths(texels) - log2_in_256ths(pixels) + exponent * 256;
   std::int32_t of_w = 0;

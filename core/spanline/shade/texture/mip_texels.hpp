@@ -11,11 +11,11 @@
 
 namespace spanline {
 
-/// Texels of an RGB565 texture that repeats both ways, of whichever mip level: the nearest one, or the four around a
-/// point weighed by their distance. u and v have 16 fraction bits of level 0.
+/// Reads texels of an RGB565 texture that repeats both ways, at any mip level: the nearest texel, or a bilinear mix of
+/// four. u and v are texels of level 0 with 16 fraction bits.
 ///
-/// Distances are rounded to 32nds of a texel, and the four weights, products of two distances, to 32nds whose sum is
-/// 32; all channels are weighed at once, and the sum is rounded once.
+/// Bilinear distances are rounded to 32nds of a texel. The four weights, products of two distances, are rounded to
+/// 32nds whose sum is 32. All channels are weighted at once, and their sum is rounded once.
 template <TextureFilter Filter>
 class MipTexels {
  public:
@@ -35,26 +35,27 @@ class MipTexels {
     texels.take(texturing.mip_mapping == MipMapping::none ? 0 : texels.level_of(density.of_polygon));
     return texels;
   }
-  /// Goes to a column of the plane.
+  /// Selects the mip level for a column of the plane.
   void start(const TexturePlane& plane, std::int32_t column) {
     if (!by_span_ || plane.way == TexturePlane::Way::affine) return;
     plane_ = &plane;
     group_ = TexelDensity::group_of(plane, column);
     take_level_of_group();
   }
-  /// Goes to the next 16 columns of the screen.
+  /// Selects the mip level for the next 16 screen columns.
   void next_block() {
     if (plane_ == nullptr) return;
     group_ += TexelDensity::group_columns;
     take_level_of_group();
   }
 
-  /// Coordinates at the start of a block as `at` wants them: counted from a texel's centre, and half a distance more.
+  /// Adjusts the coordinates at the start of a block for `at`: bilinear distances count from the centre of a texel, and
+  /// half a distance step is added for rounding.
   void place(TextureBlock& at) const {
     at.u -= to_centre_;
     at.v -= to_centre_;
   }
-  /// RGB565.
+  /// The RGB565 colour at (u, v).
   [[nodiscard]] std::uint32_t at(std::uint32_t u, std::uint32_t v) const {
     u >>= shift_;
     v >>= shift_;
@@ -82,7 +83,8 @@ class MipTexels {
   [[nodiscard]] static bool present(std::uint32_t) { return true; }
 
  private:
-  static constexpr unsigned distance_bits = Filter == TextureFilter::bilinear ? 5 : 0;  ///< of a texel
+  static constexpr unsigned distance_bits =
+      Filter == TextureFilter::bilinear ? 5 : 0;  ///< fraction bits of a texel in a distance
 
   [[nodiscard]] unsigned level_of(std::int32_t density) const { return TexelDensity::level(density, texture_->levels); }
   void take_level_of_group() {
@@ -104,8 +106,8 @@ class MipTexels {
   std::uint8_t shift_ = 0, log2_width_ = 0, level_ = 0;
   bool by_span_ = false;
   const Texture* texture_ = nullptr;
-  const TexturePlane* plane_ = nullptr;  ///< null: the same level all over
-  std::int32_t group_ = 0;               ///< the screen's column that the current 16 begin with
+  const TexturePlane* plane_ = nullptr;  ///< null if one level serves the whole row
+  std::int32_t group_ = 0;               ///< screen column at which the current 16 columns begin
   TexelDensity density_{};
 };
 

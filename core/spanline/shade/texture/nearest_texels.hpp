@@ -7,7 +7,7 @@
 
 namespace spanline {
 
-/// One level of a texture, ready to be read.
+/// The table of one mip level and its index masks.
 struct TexelLevel {
   const std::uint16_t* words;
   const std::uint8_t* bytes;
@@ -23,8 +23,8 @@ struct TexelLevel {
   }
 };
 
-/// Nearest texels of a texture that repeats both ways: u has 16 fraction bits, v as many more as make its rows whole
-/// lines of the table, 12 + log2 of the width.
+/// Reads the nearest texels of a texture that repeats both ways. u has 16 fraction bits. v has 12 + log2 of the width,
+/// so that its integer part lands on the table's row bits.
 template <TexelFormat Format>
 struct NearestTexels {
   static constexpr TextureFilter filter = TextureFilter::nearest;
@@ -49,7 +49,7 @@ struct NearestTexels {
     else
       return {level.words, level.palette, level.mask_u, level.mask_v};
   }
-  /// RGB565.
+  /// The RGB565 colour at (u, v).
   [[nodiscard]] std::uint32_t at(std::uint32_t u, std::uint32_t v) const {
     const std::uint32_t texel = table[((u >> 16) & mask_u) + ((v >> 12) & mask_v)];
     return in_bytes ? palette[texel] : texel;

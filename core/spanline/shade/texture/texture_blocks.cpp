@@ -53,7 +53,8 @@ TextureBlocks::Node TextureBlocks::node_at(std::int32_t column) const {
   return node;
 }
 
-/// A pixel by a division of its own. Inside the polygon all is in range but for rounding.
+/// Computes one pixel by its own division. The clamps only remove rounding errors as long as the pixel is inside the
+/// polygon.
 void TextureBlocks::divide() {
   const auto within = [](std::uint32_t value, std::uint32_t most) {
     return signed_word(value) < 0 ? 0 : value < most ? value : most;
@@ -65,7 +66,7 @@ void TextureBlocks::divide() {
   rest_ = 1;
 }
 
-/// The step to a new block, or to the next pixel where each divides.
+/// Moves to a new block, or to the next pixel where each pixel divides.
 void TextureBlocks::next_division() {
   if (plane_.way == TexturePlane::Way::blocks && ((column_ + plane_.origin) & (block_columns - 1)) == 0) {
     begin_block(column_);
@@ -74,7 +75,8 @@ void TextureBlocks::next_division() {
   divide();
 }
 
-/// The block that begins at `column`, whose first node is known: the second, and the parabola between them.
+/// Begins the block at `column`. Its first end is the last block's second; this computes its second end and the
+/// parabola between both.
 void TextureBlocks::begin_block(std::int32_t column) {
   const Node first = last_;
   last_ = node_at(column + block_columns);

@@ -19,7 +19,7 @@ std::uint32_t scaled(std::int32_t value, int shift) {
   return word(value >> std::min(31, -shift));
 }
 
-/// One axis: coordinates of the corners as their least and what they are above it.
+/// One axis of the corners' texture coordinates: the least of them, and by how much each exceeds it.
 struct Axis {
   std::int32_t least;
   std::array<std::uint32_t, 3> above;
@@ -30,12 +30,12 @@ struct Axis {
     span = std::max({above[0], above[1], above[2]});
   }
 
-  /// The greatest span in 2^-20 texels that matters here.
+  /// The span in 2^-20 texels, limited to 2^38 so that products of it fit 64 bits.
   [[nodiscard]] std::uint64_t texels(int log2_size) const {
     return std::min<std::uint64_t>(static_cast<std::uint64_t>(span) << log2_size, std::uint64_t{1} << 38);
   }
 
-  /// The coordinate itself, in its format less the guard bits.
+  /// Values of the coordinate itself, in its fixed-point format shifted right by the guard bits.
   void affine(int log2_size, int fraction, std::array<std::int32_t, 3>& values, std::uint32_t& base) const {
     const int guard = 32 - affine_bits;
     for (unsigned i = 0; i < 3; ++i) {
@@ -46,13 +46,13 @@ struct Axis {
     base = scaled(least, log2_size + fraction - unit_bits);
   }
 
-  /// The coordinate, less whole textures, between a quarter and three quarters of a power of two textures, times w:
-  /// block ends may lie outside the polygon.
+  /// Values of the coordinate times w. The coordinate is first reduced by whole textures and scaled into [1/4, 3/4],
+  /// which leaves a margin for block ends outside the polygon.
   void perspective(int log2_size, int fraction, const std::array<std::int32_t, 3>& w,
                    std::array<std::int32_t, 3>& values, std::uint32_t& base, std::uint32_t& shift) const {
     const int to_format = log2_size + fraction - unit_bits;
     const std::uint32_t first = word(least) & ((1u << unit_bits) - 1);
-    // Twice that span fits 2^exponent.
+    // 2^exponent holds twice that span.
     const int exponent = std::clamp(bit_count(span + first) + 1, unit_bits + 2, 31);
     for (unsigned i = 0; i < 3; ++i) {
       const std::uint32_t value = above[i] + first;
@@ -77,8 +77,8 @@ TexturePlaneValues texture_plane_values(const std::array<TextureVertex, 3>& corn
   for (unsigned i = 0; i < 3; ++i)
     values.w[i] = std::clamp<std::int32_t>(signed_word((corners[i].nearness << zeros) >> 8), 64, (1 << 24) - 1);
   const auto [low, high] = std::minmax({values.w[0], values.w[1], values.w[2]});
-  // In the middle of the polygon perspective leaves the straight line by span · (high − low) / (2 (high + low)): up to
-  // 1/32 texel nobody minds.
+  // Affine mapping differs from perspective most near the middle of the polygon, by span · (high − low) / (2 (high +
+  // low)). Up to 1/32 texel is accepted.
   const std::uint64_t texels = std::max(s.texels(scale.log2_width), t.texels(scale.log2_height));
   const bool level = texels * static_cast<std::uint32_t>(high - low) <=
                      (std::uint64_t{1} << 16) * static_cast<std::uint32_t>(high + low);

@@ -9,24 +9,25 @@
 
 namespace spanline {
 
-/// Texture coordinates over a polygon, as a function of (x, y) alone.
+/// Texture coordinates on a polygon. At each pixel they depend on its screen position alone, not on the run that it
+/// belongs to.
 ///
-/// Affine polygons have u and v as linear functions. In perspective, w = 1/z, u·w and v·w are linear, and a division
-/// gives u and v (lecture 004: s/w, t/w, 1/w). It is made at absolute screen columns that are multiples of 16; between
-/// two of them a parabola stands for the hyperbola, drawn as four chords of 4 columns. Where 16 columns change w by
-/// more than a quarter, or a block's end lies so far outside the polygon that its words mean nothing, each pixel
-/// divides for itself.
+/// On affine polygons u and v are linear functions. In perspective w = 1/z, u·w and v·w are linear, and a division
+/// gives u and v (lecture 004: s/w, t/w, 1/w). It is made at screen columns that are multiples of 16. Between two of
+/// them the hyperbola is approximated by a parabola, which is drawn as four chords of 4 columns. Every pixel divides
+/// for itself if w changes by more than a quarter over 16 columns, or if a block's end lies so far outside the polygon
+/// that its words are invalid.
 struct TexturePlane {
   enum class Way : std::uint8_t {
-    affine,  ///< u and v are texture coordinates
-    blocks,  ///< w, u and v are 30-bit words of 1/z, u/z and v/z
-    exact,   ///< the same, too steep for blocks: a division a pixel
+    affine,  ///< u and v are the texture coordinates themselves
+    blocks,  ///< w, u and v are 30-bit words of 1/z, u/z and v/z; one division a block
+    exact,   ///< the same words, too steep for blocks; one division a pixel
   };
 
   LinearFunction w, u, v;
-  std::uint32_t base_u, base_v;  ///< in perspective, whole textures that are left out of u and v
-  std::int8_t shift_u, shift_v;  ///< Q30 of u/w to the texture coordinate: to the right, or negative to the left
-  std::int16_t origin;           ///< screen column from which columns count
+  std::uint32_t base_u, base_v;  ///< perspective: whole textures subtracted from u and v
+  std::int8_t shift_u, shift_v;  ///< right shift from u/w in Q30 to the texture coordinate; a left shift if negative
+  std::int16_t origin;           ///< screen column of column 0
   Way way;
 
   void next_row() {
@@ -41,27 +42,27 @@ struct TexturePlane {
   }
 };
 
-/// What fits a texture plane to a polygon: values at its corners for `fit_fine`, and the constants.
+/// The values at a polygon's corners to which `fit_fine` fits a texture plane, and the plane's constants.
 struct TexturePlaneValues {
   std::array<std::int32_t, 3> w, u, v;
-  int bits;                      ///< of them
+  int bits;                      ///< size of the values
   std::uint32_t base_u, base_v;  ///< to be added to u and v
   std::uint32_t shift_u, shift_v;
   TexturePlane::Way way;
 };
 
-/// The fixed-point formats of texture coordinates, in texels of one level: u with `fraction_u` fraction bits and v with
-/// `fraction_v`, both modulo 2^32.
+/// The fixed-point formats of texture coordinates: texels of one level, u with `fraction_u` and v with `fraction_v`
+/// fraction bits, both modulo 2^32.
 struct TexelScale {
   int log2_width, log2_height;
   int fraction_u, fraction_v;  ///< [16, 24]
 };
 
-/// The values for three corners.
+/// The values for a triangle with these corners.
 [[nodiscard]] TexturePlaneValues texture_plane_values(const std::array<TextureVertex, 3>& corners,
                                                       TextureMapping mapping, const TexelScale& scale);
 
-/// Makes a texture plane of a polygon's gradients.
+/// Fits a texture plane to the values by a polygon's gradients.
 template <class Gradients>
 void fit_texture_plane(const Gradients& gradients, const TexturePlaneValues& values, TexturePlane& plane) {
   gradients.fit_fine(values.u, values.bits, plane.u);
@@ -78,8 +79,8 @@ void fit_texture_plane(const Gradients& gradients, const TexturePlaneValues& val
     return;
   }
   gradients.fit_fine(values.w, values.bits, plane.w);
-  // A block's ends lie within 15 columns of the polygon, whose words are in [0, 2^30]: below this slope they are in
-  // [−2^29, 3·2^29] there, and none wraps.
+  // Block ends lie within 15 columns of the polygon, where words are in [0, 2^30]. Below this slope the words at block
+  // ends are in [−2^29, 3·2^29] and cannot wrap.
   constexpr std::uint32_t steepest = 1u << 25;
   const auto steep = [](const LinearFunction& f) { return magnitude(signed_word(f.dx)) >= steepest; };
   if (steep(plane.w) || steep(plane.u) || steep(plane.v)) plane.way = TexturePlane::Way::exact;

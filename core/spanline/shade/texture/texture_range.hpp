@@ -11,7 +11,8 @@ namespace spanline::texture_range {
   return signed_word(w) > 0 && u <= w && v <= w;
 }
 
-/// Whether a parabola follows the hyperbola over a block in which w falls by `fall` to `w` at its end.
+/// Whether a parabola is accurate enough for a block at whose end w has fallen by `fall` to `w`: w changes by at most a
+/// quarter.
 [[nodiscard]] inline bool gentle(std::uint32_t fall, std::uint32_t w) { return magnitude(signed_word(fall)) <= w >> 2; }
 
 }  // namespace spanline::texture_range

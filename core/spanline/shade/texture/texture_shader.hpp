@@ -19,15 +19,15 @@
 namespace spanline {
 
 namespace texel_light {
-/// An intensity as the 16-bit value whose top 6 bits are the level.
+/// Converts an intensity to a 16-bit value whose top 6 bits are the level of light.
 [[nodiscard]] constexpr std::uint32_t value(Intensity intensity) { return intensity * 33 >> 6; }
 [[nodiscard]] inline bool plain(const Material& material) {
   return material.texturing.function == TextureFunction::modulate && material.colour == Rgb888{255, 255, 255};
 }
 }  // namespace texel_light
 
-/// Light of texels: none, a level a polygon, or a level interpolated between the vertices. Levels are 32nds;
-/// 65535/65536 of full light is 32.
+/// The light on texels: none, constant over a polygon, or interpolated between the vertices. Levels are 32nds; an
+/// intensity of 65535/65536 has level 32.
 struct NoTexelLight {
   struct Stepper {
     [[nodiscard]] std::uint32_t apply(std::uint32_t rgb565) const { return rgb565; }
@@ -104,13 +104,14 @@ struct GouraudTexelLight {
   }
 };
 
-/// A texture under white light: `Texels` reads it, `Light` shades it. For surfaces of one colour, which is white, in
-/// modes that `GeneralShader` has as well; this is their fast form.
+/// A texture under white light: `Texels` reads it, `Light` shades it. It is a fast shader for surfaces whose own colour
+/// is white, in modes that `GeneralShader` has too.
 template <class Format, class Texels, class Light>
 struct TextureShader {
   using Pixel = typename Format::Pixel;
   static constexpr bool interpolates = true;
-  static constexpr bool fogged = Light::fogged;  ///< for frames with fog, and no others
+  static constexpr bool fogged =
+      Light::fogged;  ///< whether it draws only in frames with fog; otherwise only in those without
 
   struct Source {
     static constexpr bool constant = false;
@@ -134,7 +135,7 @@ struct TextureShader {
       coordinates.next_piece();
       light.next_piece();
     }
-    // Blocks that are kept elsewhere; light goes on, and is told of the next one.
+    // These functions serve loops that hold the blocks themselves: the loop passes each block, and the light follows.
     void next_block() {
       light.next_block();
       if constexpr (Texels::has_levels) texels.next_block();
@@ -173,7 +174,8 @@ struct TextureShader {
     void next() { walk_.next(rest_of_block()); }
 
    private:
-    /// Pixels left of so many columns of the screen, a power of two: fog has pieces and blocks everywhere.
+    /// Pixels left in the aligned group of `columns` screen columns, a power of two. Fog needs it because it has blocks
+    /// and pieces on affine polygons too.
     [[nodiscard]] std::uint32_t rest_of(std::int32_t columns) const {
       return word(columns - ((walk_.column() + surface_.plane.origin) & (columns - 1)));
     }
@@ -182,7 +184,7 @@ struct TextureShader {
   };
 
   struct Surface {
-    /// Pixels are the words of a table as they are.
+    /// Whether pixels are unchanged words of a texture's table.
     static constexpr bool plain_texels = std::is_same_v<Light, NoTexelLight> && !Texels::has_holes &&
                                          !Texels::in_bytes && !Texels::has_levels &&
                                          Format::from_rgb565(0x1234) == 0x1234;
@@ -201,15 +203,15 @@ struct TextureShader {
     [[nodiscard]] CertainBlocks certain(std::int32_t column, std::uint32_t count) const {
       return {plane, column, count};
     }
-    /// Fills whole blocks from `column` on, without a depth test.
+    /// Fills whole blocks from `column` on without a depth test.
     void fill_blocks(std::int32_t column, const TextureBlock* blocks, std::uint32_t count, Pixel* pixels) const {
       fill_detail::fill_whole_blocks(pixels, count, *this, column, blocks);
     }
-    /// The texels that a kernel may read by itself.
+    /// The table of texels, for kernels that read it directly.
     [[nodiscard]] TexelTable texel_table() const requires plain_texels {
       return {texels.table, texels.mask_u, texels.mask_v};
     }
-    /// A source without coordinates.
+    /// A source whose texture coordinates are not set yet.
     [[nodiscard]] Source source(std::int32_t column) const {
       Source source;
       source.light = light.at(column);
@@ -246,10 +248,10 @@ struct TextureShader {
   }
 };
 
-/// The fast shaders for one way to read a texture.
+/// Fast shaders of nearest texels in one texel format.
 template <class Format, TexelFormat Texels, class Light>
 using NearestTextureShader = TextureShader<Format, NearestTexels<Texels>, Light>;
-/// The same for RGB565 with mip maps or without, nearest or bilinear.
+/// Fast shaders of RGB565 textures, with or without mip maps, nearest or bilinear.
 template <class Format, TextureFilter Filter, class Light>
 using MipTextureShader = TextureShader<Format, MipTexels<Filter>, Light>;
 
