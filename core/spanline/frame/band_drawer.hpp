@@ -16,36 +16,36 @@
 
 namespace spanline {
 
-/// A finished band of lines, as the sink gets it.
+/// A finished band of lines, as a sink receives it.
 template <class Pixel, class DepthWord>
 struct Band {
   std::int32_t y0;                   ///< its first line in the picture, [0, height)
-  std::int32_t y1;                   ///< the line behind its last, (y0, height]
-  std::span<Pixel> pixels;           ///< line by line, width · (y1 − y0)
-  std::span<const DepthWord> depth;  ///< parallel to the pixels; empty where the algorithm keeps none
-  unsigned buffer;                   ///< which of the drawer's colour bands holds it, counted from 0
+  std::int32_t y1;                   ///< one past its last line, (y0, height]
+  std::span<Pixel> pixels;           ///< row by row, width · (y1 − y0) of them
+  std::span<const DepthWord> depth;  ///< one for each pixel; empty if the algorithm keeps no depths
+  unsigned buffer;                   ///< number of the colour band that holds it, from 0
 };
 
-/// Which bands of a frame somebody draws; bands count from 0 at the top.
+/// Which bands of a frame a drawer draws. Bands are numbered from 0 at the top.
 enum class BandShare : std::uint8_t {
-  all,   ///< a renderer alone
+  all,   ///< a renderer without a partner
   even,  ///< a renderer with a partner: 0, 2, 4, …
   odd,   ///< the partner: 1, 3, 5, …
 };
 
-/// What a frame shows, as its bands are drawn from it.
+/// The input from which the bands of a frame are drawn.
 template <class Pixel>
 struct BandScene {
-  PolygonTable& table;                    ///< spanning takes its buckets apart
-  std::span<const ShadingGroup> shading;  ///< one a group of the table
-  Pixel background;                       ///< where no polygon is
-  VisibilityCounters* counters;           ///< written where the traits count
-  const World* world;                     ///< null where the algorithm takes screen polygons alone
+  PolygonTable& table;                    ///< spanning consumes its buckets
+  std::span<const ShadingGroup> shading;  ///< one for each group of the table
+  Pixel background;                       ///< colour of pixels that no polygon covers
+  VisibilityCounters* counters;           ///< written if the traits ask for statistics
+  const World* world;                     ///< null if the algorithm works on screen polygons alone
 };
 
-/// A sink behind which hardware fills memory while the core goes on. `fill(value, count, words)` starts it, two at a
-/// time at most, from words that begin as the arena lets them begin; `filled()` waits until all of it has ended, and
-/// may return false to give the frame up. `available(buffer)` tells whether `acquire` would return at once.
+/// A sink that has hardware fill memory while the core continues. `fill(value, count, words)` starts a fill; at most
+/// two may be under way, and `words` are aligned as the arena aligns them. `filled()` waits until all fills have ended
+/// and may return false to abandon the frame. `available(buffer)` tells whether `acquire` would return at once.
 template <class Sink, class Word, class Pixel>
 concept FillingSink = requires(Sink& sink, Word* depth, Pixel* pixels, Word value, Pixel pixel) {
   { sink.acquire(0u) } -> std::same_as<bool>;
@@ -55,35 +55,36 @@ concept FillingSink = requires(Sink& sink, Word* depth, Pixel* pixels, Word valu
   { sink.filled() } -> std::same_as<bool>;
 };
 
-/// Draws the bands of a frame, or every second one, from a polygon table: a visibility algorithm with its memory, a
-/// depth band, and the colour bands that it draws into by turns. All state between bands is its own, so that several
-/// may draw from one table at a time where the algorithm leaves the table alone.
+/// Draws all or every second of a frame's bands from a polygon table. It holds a visibility algorithm with its memory,
+/// a depth band, and the colour bands, which it uses in turn. It keeps all state between bands itself, so several
+/// drawers may draw from one table at the same time if the algorithm does not change the table.
 template <class Traits>
 class BandDrawer {
  public:
-  using DepthWord = typename Traits::Depth::Word;  ///< of the depth buffer
-  using Pixel = typename Traits::Format::Pixel;    ///< a word of the pixel format
-  using BandView = Band<Pixel, DepthWord>;         ///< what a sink gets
-  using Scene = BandScene<Pixel>;                  ///< what bands are drawn from
+  using DepthWord = typename Traits::Depth::Word;  ///< a depth in the depth buffer
+  using Pixel = typename Traits::Format::Pixel;    ///< a pixel in the pixel format
+  using BandView = Band<Pixel, DepthWord>;         ///< what a sink receives
+  using Scene = BandScene<Pixel>;                  ///< the input of a frame
   /// The visibility algorithm.
   using Visibility = typename Traits::Visibility::template Algorithm<typename Traits::Depth, Pixel,
                                                                      typename Traits::Shaders, Traits::statistics>;
   static_assert(VisibilityAlgorithm<Visibility, ShadingGroup>,
                 "the traits' Visibility lacks what visibility/algorithm.hpp asks for");
 
-  /// Its part of the caller's memory.
+  /// The drawer's part of the caller's memory.
   struct Pools {
-    typename Visibility::Memory visibility;  ///< the algorithm's
-    std::span<DepthWord> depth;              ///< all bands
-    std::span<Pixel> colour;                 ///< all bands
+    typename Visibility::Memory visibility;  ///< memory of the visibility algorithm
+    std::span<DepthWord> depth;              ///< all depth bands, one after another
+    std::span<Pixel> colour;                 ///< all colour bands, one after another
 
-    /// Words from one band to the next: each begins as the arena would let it begin.
+    /// Distance between the starts of two bands, in words. It is rounded up so that each band is aligned as the arena
+    /// would align it.
     template <class Word>
     static constexpr std::size_t stride(const Capacity& c) {
       constexpr std::size_t words_a_step = std::max<std::size_t>(Arena::alignment / sizeof(Word), 1);
       return (std::size_t{c.width} * c.band_lines + words_a_step - 1) / words_a_step * words_a_step;
     }
-    /// Cuts them out of an arena.
+    /// Takes the pools from an arena.
     constexpr void take(Arena& arena, const Capacity& c) {
       visibility.take(arena, c);
       const std::size_t depth_size =
@@ -93,15 +94,15 @@ class BandDrawer {
     }
   };
 
-  /// Nothing to draw with, until another is assigned.
+  /// An empty drawer, which cannot draw until another is assigned to it.
   BandDrawer() = default;
-  /// Draws pictures of this capacity in these pools.
+  /// A drawer for pictures of this capacity in these pools.
   BandDrawer(const Capacity& capacity, const Pools& pools)
       : capacity_(capacity), pools_(pools), visibility_(pools.visibility) {}
 
-  /// Draws a frame's share. For each band: `sink.acquire(buffer)` where the sink has it, which waits until that colour
-  /// band is free again; then the drawing; then `sink(band)`. Either may return false to give the frame up. A
-  /// FillingSink clears each band while the one above it is drawn.
+  /// Draws the drawer's share of a frame. For each band it calls `sink.acquire(buffer)` if the sink has it, which waits
+  /// until that colour band is free again; it draws the band; and it calls `sink(band)`. Either call may return false
+  /// to abandon the frame. With a FillingSink, each band is cleared while the one above it is drawn.
   template <class Sink>
   Status draw(const Scene& scene, BandShare share, Sink& sink) {
     start(scene, share);
@@ -119,7 +120,7 @@ class BandDrawer {
 
   // The steps of `draw`.
 
-  /// Begins a frame, or somebody's share of one.
+  /// Begins a frame or a share of one.
   void start(const Scene& scene, BandShare share) {
     share_ = share;
     if (scene.counters != nullptr) scene.counters->names = Visibility::counter_names;
@@ -129,18 +130,18 @@ class BandDrawer {
   [[nodiscard]] bool draws(std::uint32_t band) const {
     return share_ == BandShare::all || (band & 1) == (share_ == BandShare::odd ? 1u : 0u);
   }
-  /// Steps over a band that somebody else draws.
+  /// Skips a band that another drawer draws.
   void skip_band(const Scene& scene, std::uint32_t band) {
     const std::int32_t y0 = first_line(band);
     visibility_.skip_band(scene.table, scene.shading, static_cast<std::int32_t>(band), viewport(),
                           {nullptr, nullptr, capacity_.width, y0 + row_bias, end_line(y0) + row_bias, {}});
   }
-  /// Prepares a band's colour and depth as the algorithm wants them.
+  /// Clears a band's colour and depth as far as the algorithm needs it.
   void clear_band(const Scene& scene, std::uint32_t band) {
     visibility_.clear(target(scene, band, band_view(band)),
                       [](auto value, std::uint32_t count, auto* words) { fill_constant(value, count, words); });
   }
-  /// For a FillingSink: starts to clear a band of the share, before its turn comes. False where the sink gives up.
+  /// Starts to clear a band of the share ahead of its turn, by a FillingSink. False if the sink abandons the frame.
   template <class Sink>
   bool clear_ahead(const Scene& scene, std::uint32_t band, Sink& sink) {
     if (!sink.acquire(buffer_of(band))) return false;
@@ -149,9 +150,10 @@ class BandDrawer {
     cleared_ = static_cast<std::uint16_t>(band);
     return true;
   }
-  /// Nothing has been cleared ahead.
+  /// Forgets that a band was cleared ahead.
   void forget_clears() { cleared_ = none; }
-  /// Draws a band that was cleared, and tells the sink of covered triangles where the traits count.
+  /// Draws a band that was cleared. Tells the sink which triangles cover a pixel centre, if the traits ask for
+  /// statistics.
   template <class Sink>
   BandView draw_band(const Scene& scene, std::uint32_t band, Sink& sink) {
     const BandView view = band_view(band);
@@ -161,7 +163,7 @@ class BandDrawer {
                           });
     return view;
   }
-  /// Ends the frame, and says what has run full.
+  /// Ends the frame; the status names a pool that ran full.
   Status end(const Scene& scene) {
     forget_clears();
     first_buffer_ = static_cast<std::uint8_t>(buffer_of(capacity_.bands()));
@@ -170,17 +172,17 @@ class BandDrawer {
     return {};
   }
 
-  /// A colour band's memory; empty where the band does not exist.
+  /// The memory of a colour band; empty if there is no such band.
   [[nodiscard]] std::span<Pixel> colour_band(unsigned buffer) const {
     const std::size_t start = std::size_t{buffer} * Pools::template stride<Pixel>(capacity_);
     if (start >= pools_.colour.size()) return {};
     return pools_.colour.subspan(start, std::size_t{capacity_.width} * capacity_.band_lines);
   }
-  /// The sizes that it was made for.
+  /// The capacity that the drawer was made for.
   [[nodiscard]] const Capacity& capacity() const { return capacity_; }
   /// Its memory.
   [[nodiscard]] const Pools& pools() const { return pools_; }
-  /// The algorithm, for what it has counted.
+  /// The visibility algorithm, for its counters.
   [[nodiscard]] const Visibility& visibility() const { return visibility_; }
 
  private:
@@ -189,7 +191,7 @@ class BandDrawer {
   }
   static constexpr std::uint16_t none = 0xffff;
 
-  /// Waits for a band's buffer and has it cleared.
+  /// Waits for a band's buffer and clears it.
   template <class Sink>
   bool make_ready(const Scene& scene, std::uint32_t band, Sink& sink) {
     if constexpr (FillingSink<Sink, DepthWord, Pixel>) {
@@ -216,17 +218,17 @@ class BandDrawer {
   [[nodiscard]] std::int32_t end_line(std::int32_t first) const {
     return std::min<std::int32_t>(first + capacity_.band_lines, capacity_.height);
   }
-  /// Bands of the share among the first `bands`.
+  /// Number of the share's bands among the first `bands`.
   [[nodiscard]] std::uint32_t turns(std::uint32_t bands) const {
     return share_ == BandShare::all ? bands : (bands + (share_ == BandShare::even ? 1 : 0)) >> 1;
   }
-  /// Up to two colour bands go without the remainder, which costs Cortex-M0+ a call a band.
+  /// With up to two colour bands no remainder is computed: on Cortex-M0+ it is a function call for each band.
   [[nodiscard]] unsigned buffer_of(std::uint32_t band) const {
     const std::uint32_t turn = turns(band);
     if (capacity_.colour_bands <= 2) return turn & (capacity_.colour_bands - 1u);
     return (first_buffer_ + turn) % capacity_.colour_bands;
   }
-  /// Where a band's depth begins.
+  /// Index at which a band's depths begin.
   [[nodiscard]] std::size_t depth_start(std::uint32_t band) const {
     if (!Visibility::keeps_depth || capacity_.depth_bands == 1) return 0;
     return (turns(band) & 1) * Pools::template stride<DepthWord>(capacity_);
@@ -251,8 +253,8 @@ class BandDrawer {
   Capacity capacity_;
   Pools pools_{};
   Visibility visibility_{};
-  std::uint16_t cleared_ = none;   ///< band that is being cleared ahead
-  std::uint8_t first_buffer_ = 0;  ///< colour band that the frame's first band of lines goes to
+  std::uint16_t cleared_ = none;   ///< number of the band that is being cleared ahead
+  std::uint8_t first_buffer_ = 0;  ///< colour band of the frame's first band
   BandShare share_ = BandShare::all;
 };
 

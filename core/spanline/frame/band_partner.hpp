@@ -30,20 +30,20 @@
 
 namespace spanline {
 
-/// Draws the odd bands of a renderer's frames, for a second core: both draw at a time from one polygon table, and the
-/// picture has the bytes that the renderer alone would give it, as long as no pool runs full.
+/// Draws the odd bands of a renderer's frames on a second core. Both cores draw at the same time from one polygon
+/// table, and the picture is bit-identical to that of the renderer alone, as long as no pool runs full.
 ///
-/// Each core hands over its own bands; who puts them on a display in order has to wait for both. The renderer starts
-/// no frame before both have returned. What a core has written by `take_frame` must be visible to the other one (a
-/// barrier, and no cache between them).
+/// Each core hands over its own bands; a program that needs them in order has to wait for both cores. The renderer must
+/// not start a frame before both have returned. What a core has written when it calls `take_frame` must be visible to
+/// the other core, which takes a barrier and no cache between them.
 template <class Traits>
 class BandPartner {
  public:
-  using Drawer = BandDrawer<Traits>;     ///< what draws its bands
-  using Pixel = typename Drawer::Pixel;  ///< a word of the pixel format
+  using Drawer = BandDrawer<Traits>;     ///< draws the partner's bands
+  using Pixel = typename Drawer::Pixel;  ///< a pixel in the pixel format
 
-  /// Bytes of the caller's memory, alignment included: a second set of bands, and where the algorithm takes the polygon
-  /// table's buckets apart a copy of them.
+  /// Bytes of the caller's memory that a partner takes, alignment included: its own bands, and a copy of the polygon
+  /// table's buckets if the algorithm consumes them.
   [[nodiscard]] static constexpr std::size_t bytes_needed(const Capacity& capacity) {
     Arena counting;
     Pools pools;
@@ -51,7 +51,7 @@ class BandPartner {
     return counting.size() + Arena::alignment - 1;
   }
 
-  /// `status()` tells whether the memory was enough and the renderer is in order; if not, there is nothing to draw.
+  /// `status()` tells whether the memory sufficed and the renderer is usable; if not, the partner draws nothing.
   BandPartner(Renderer<Traits>& renderer, std::span<std::byte> memory) : renderer_(renderer) {
     const Capacity& capacity = renderer.capacity();
     status_ = renderer.status();
@@ -68,10 +68,11 @@ class BandPartner {
     buckets_ = pools.buckets;
   }
 
-  /// Whether it can draw.
+  /// Whether the partner can draw.
   [[nodiscard]] Status status() const { return status_; }
 
-  /// Takes over the frame that the renderer holds, before either draws. Without one it says what the renderer would.
+  /// Takes over the renderer's current frame, before either core draws. If there is none, it returns what the renderer
+  /// would.
   Status take_frame() {
     frame_ = status_.ok() ? renderer_.frame_ : status_;
     if (!frame_.ok()) return frame_;
@@ -86,8 +87,8 @@ class BandPartner {
     return {};
   }
 
-  /// Draws the bands 1, 3, 5, … of the frame that was taken, once; the sink as for Renderer::draw, its colour bands the
-  /// partner's own.
+  /// Draws the bands 1, 3, 5, … of the frame that was taken, once. The sink is the same as for Renderer::draw; the
+  /// colour bands are the partner's own.
   template <class Sink>
   Status draw_odd(Sink&& sink) {
     if (!frame_.ok()) return frame_;
@@ -95,9 +96,9 @@ class BandPartner {
     return drawer_.draw(renderer_.scene(table_, counters_), BandShare::odd, sink);
   }
 
-  /// As Renderer::colour_band, of the partner.
+  /// The memory of one of the partner's colour bands, as Renderer::colour_band.
   [[nodiscard]] std::span<Pixel> colour_band(unsigned buffer) const { return drawer_.colour_band(buffer); }
-  /// What visibility did in the odd bands, where the traits count it.
+  /// Counters of the odd bands, if the traits ask for statistics.
   [[nodiscard]] VisibilityCounters counters() const {
     if constexpr (Traits::statistics) return counters_;
     return {};
@@ -124,7 +125,7 @@ class BandPartner {
   std::span<PolygonReference> references_;
   std::span<Link> buckets_;
   [[no_unique_address]] typename Renderer<Traits>::Counters counters_{};
-  Status frame_{Fault::no_frame};  ///< what keeps the frame from being drawn
+  Status frame_{Fault::no_frame};  ///< why the frame cannot be drawn, or ok
 };
 
 }  // namespace spanline

@@ -18,28 +18,28 @@
 
 namespace spanline {
 
-/// A frame's memory but for its bands, in the order in which the arena cuts it, and how much of it is taken.
+/// All memory of a frame except its bands, in the order in which the arena hands it out, and how much of it is in use.
 template <class Traits>
 struct FramePools {
-  using Set = ShaderSet<Traits>;  ///< what the list of shaders asks for
+  using Set = ShaderSet<Traits>;  ///< what the list of shaders contains
   static constexpr bool needs_world = BandDrawer<Traits>::Visibility::needs == AlgorithmNeeds::world;
 
-  std::span<PolygonGroup> groups;             ///< one an instance, for visibility
-  std::span<PlacedInstance> placed;           ///< one an instance, where the algorithm needs the world
-  std::span<ShadingGroup> shading;            ///< one an instance, for shaders
-  std::span<std::uint16_t> ramps;             ///< gouraud::ramp_size pixels an instance, for smooth shading
-  std::span<ScreenVertex> vertices;           ///< of all instances, and what clipping adds
-  std::span<std::uint32_t> shades;            ///< of smooth instances' vertices
-  std::span<TextureVertex> textures;          ///< of textured instances' vertices
-  std::span<std::int32_t> third_coordinates;  ///< beside `textures`, for solids
-  std::span<TexturedGroup> textured;          ///< one an instance, for shaders of textures and local light
-  std::span<PixelwiseGroup> pixelwise;        ///< one an instance, for reliefs and solids
-  std::span<LocalLighting> local_lights;      ///< one an instance, for point lights and highlights
-  std::span<PolygonReference> references;     ///< the polygon table
-  std::span<FanTriangle> fans;                ///< pieces of clipped polygons and of those with many corners
-  std::span<Link> buckets;                    ///< where the polygons of each band begin
+  std::span<PolygonGroup> groups;             ///< one for each instance, for visibility
+  std::span<PlacedInstance> placed;           ///< one for each instance, if the algorithm needs the world
+  std::span<ShadingGroup> shading;            ///< one for each instance, for shaders
+  std::span<std::uint16_t> ramps;             ///< gouraud::ramp_size pixels for each instance, for smooth shading
+  std::span<ScreenVertex> vertices;           ///< of all instances, and those that clipping adds
+  std::span<std::uint32_t> shades;            ///< one for each vertex of smooth instances
+  std::span<TextureVertex> textures;          ///< one for each vertex of textured instances
+  std::span<std::int32_t> third_coordinates;  ///< texture coordinate r, parallel to `textures`, for solids
+  std::span<TexturedGroup> textured;          ///< one for each instance, for shaders of textures and local light
+  std::span<PixelwiseGroup> pixelwise;        ///< one for each instance, for reliefs and solids
+  std::span<LocalLighting> local_lights;      ///< one for each instance, for point lights and highlights
+  std::span<PolygonReference> references;     ///< the records of the polygon table
+  std::span<FanTriangle> fans;  ///< triangles of clipped polygons and of polygons with more than three corners
+  std::span<Link> buckets;      ///< start of each band's list in the polygon table
 
-  /// What keeps a renderer from taking these sizes.
+  /// Whether a renderer accepts these sizes, and if not, why.
   [[nodiscard]] static constexpr Status check(const Capacity& c) {
     using Visibility = typename BandDrawer<Traits>::Visibility;
     constexpr Fault bad = Fault::bad_configuration;
@@ -55,7 +55,7 @@ struct FramePools {
       return {bad, larger, 0};
   }
 
-  /// Cuts them out of an arena.
+  /// Takes the pools from an arena.
   constexpr void take(Arena& arena, const Capacity& c) {
     groups = arena.take<PolygonGroup>(c.instances);
     placed = arena.take<PlacedInstance>(needs_world ? c.instances : 0);
@@ -73,33 +73,33 @@ struct FramePools {
     buckets = arena.take<Link>(bucket_count(c));
   }
 
-  /// Buckets of the polygon table.
+  /// Number of buckets of the polygon table.
   [[nodiscard]] static constexpr std::uint32_t bucket_count(const Capacity& c) {
     const std::uint32_t lines = std::max<std::uint32_t>(1, BandDrawer<Traits>::Visibility::bucket_lines(c));
     return (c.height + lines - 1) / lines;
   }
 
-  /// How much of the pools the frame has taken.
+  /// How much of the pools the frame has used, and how much it lacked, in entries.
   struct Used {
     std::uint32_t vertices = 0;          ///< entries
     std::uint32_t shades = 0;            ///< entries
     std::uint32_t textures = 0;          ///< entries
     std::uint32_t ids = 0;               ///< triangles that have been numbered
-    std::uint32_t instances_wanted = 0;  ///< entries that were asked for and not found, as of the following
-    std::uint32_t vertices_wanted = 0;   ///< entries not found
-    std::uint32_t shades_wanted = 0;     ///< entries not found
-    std::uint32_t textures_wanted = 0;   ///< entries not found
-    std::uint32_t polygons_wanted = 0;   ///< entries not found
-    std::uint32_t fans_wanted = 0;       ///< entries not found
+    std::uint32_t instances_wanted = 0;  ///< entries that were asked for and not available; likewise those below
+    std::uint32_t vertices_wanted = 0;   ///< entries that were not available
+    std::uint32_t shades_wanted = 0;     ///< entries that were not available
+    std::uint32_t textures_wanted = 0;   ///< entries that were not available
+    std::uint32_t polygons_wanted = 0;   ///< entries that were not available
+    std::uint32_t fans_wanted = 0;       ///< entries that were not available
   };
   Used used;  ///< by the frame so far
 
-  /// Room for a group.
+  /// Checks that there is room for one more group.
   Status reserve_group(std::uint32_t groups_taken) {
     if (groups_taken < groups.size()) return {};
     return refuse(Pool::instances, used.instances_wanted, 1, groups.size());
   }
-  /// Room for an instance of a mesh.
+  /// Checks that there is room for an instance of a mesh.
   Status reserve(std::uint32_t groups_taken, const Mesh& mesh, const InstancePlan& plan) {
     if (const Status room = reserve_group(groups_taken); !room.ok()) return room;
     const std::size_t count = mesh.vertex_count();
@@ -111,7 +111,7 @@ struct FramePools {
       return refuse_all(Pool::textures, used.textures_wanted, used.textures, count, textures.size());
     return {};
   }
-  /// All free vertices, those of the mesh counted as in use: for an instance that has found room.
+  /// The store of vertices for an instance that has found room: its mesh's vertices count as used, the rest is free.
   [[nodiscard]] VertexStore open_store(const Mesh& mesh, const InstancePlan& plan) const {
     VertexStore store;
     store.vertices = vertices.subspan(used.vertices);
@@ -121,16 +121,16 @@ struct FramePools {
     store.count = static_cast<Link>(mesh.vertex_count());
     return store;
   }
-  /// Takes what an instance has used of the store that was opened for it.
+  /// Marks as used what an instance has taken of its store.
   void close_store(const VertexStore& store, const InstancePlan& plan) {
     used.vertices += store.count;
     if (plan.shaded()) used.shades += store.count;
     if (plan.textured()) used.textures += store.count;
   }
-  /// What an assembly has not found room for.
+  /// Reports what an assembly found no room for.
   Status missing(const PolygonAssembly& assembly, std::uint32_t vertices_missing, const InstancePlan& plan) {
     if (vertices_missing != 0) {
-      // Up to three parallel pools: the one with the least room is named.
+      // Vertices lie in up to three parallel pools; the one with the least room is reported.
       constexpr std::size_t unbounded = ~std::size_t{0};
       const std::size_t vertices_left = vertices.size() - used.vertices,
                         shades_left = plan.shaded() ? shades.size() - used.shades : unbounded,
@@ -146,7 +146,7 @@ struct FramePools {
       return refuse(Pool::polygons, used.polygons_wanted, assembly.polygons_wanted, references.size());
     return {};
   }
-  /// Bytes of them that a frame's table and vertices take.
+  /// Bytes of the pools that a frame's table and vertices use.
   [[nodiscard]] PoolPeaks taken(const PolygonTable& table) const {
     PoolPeaks peaks;
     peaks.instances = table.group_count * (sizeof(PolygonGroup) + (needs_world ? sizeof(PlacedInstance) : 0) +
@@ -164,12 +164,12 @@ struct FramePools {
   }
 
  private:
-  /// Counts what does not fit, and says what would.
+  /// Counts what does not fit, and reports the size that would have sufficed.
   static Status refuse(Pool pool, std::uint32_t& missing_so_far, std::size_t missing, std::size_t size) {
     missing_so_far += static_cast<std::uint32_t>(missing);
     return {Fault::pool_full, pool, static_cast<std::uint32_t>(size) + missing_so_far};
   }
-  /// An instance's vertices fit whole or not at all: the free rest counts as taken by it.
+  /// An instance's vertices are taken all or none. When they do not fit, the remaining room counts as used by them.
   static Status refuse_all(Pool pool, std::uint32_t& missing_so_far, std::uint32_t taken, std::size_t count,
                            std::size_t size) {
     const std::size_t free_rest = missing_so_far == 0 ? size - taken : 0;

@@ -23,16 +23,16 @@ namespace spanline {
 
 /// What a frame shows besides its instances.
 struct FrameSettings {
-  Camera camera{};                ///< the eye; at the world's origin by default
+  Camera camera{};                ///< the origin of the world by default
   Lighting lighting{};            ///< fully lit by default
-  Rgb888 background{0, 0, 0};     ///< where no polygon is; black by default
-  Cull cull = Cull::back;         ///< which sides are left out; the back by default
-  std::uint8_t stipple_seed = 0;  ///< of materials seen through by random patterns: [0, 127], 0 by default
-  Fog fog{};                      ///< for renderers with the general shader or one for fog; none by default
-  bool dither = false;            ///< ordered dither, for renderers with the general shader; off by default
+  Rgb888 background{0, 0, 0};     ///< colour of pixels that no polygon covers; black by default
+  Cull cull = Cull::back;         ///< which side of polygons is not drawn; the back by default
+  std::uint8_t stipple_seed = 0;  ///< seed of the random patterns of stochastic transparency, [0, 127]; 0 by default
+  Fog fog{};                      ///< needs GeneralShader or a shader for fog; none by default
+  bool dither = false;            ///< ordered dither; needs GeneralShader; off by default
 };
 
-/// The first thing that keeps a frame from being drawn with these settings.
+/// The first reason why a frame cannot be drawn with these settings, or ok.
 [[nodiscard]] constexpr Status check_settings(const FrameSettings& settings) {
   const Camera& camera = settings.camera;
   const bool before_the_eye = camera.projection == Projection::orthographic || camera.near_plane.raw() > 0;

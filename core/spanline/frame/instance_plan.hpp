@@ -12,44 +12,45 @@
 
 namespace spanline {
 
-/// Who gives an instance's vertices their shades.
+/// How the shades of an instance's vertices are computed.
 enum class VertexLighting : std::uint8_t {
-  none,            ///< they have none: light is that of whole polygons
+  none,            ///< vertices have no shades: whole polygons are lit
   plain,           ///< the group's own lights
-  local,           ///< point lights and highlights as well
-  local_on_solid,  ///< the same, where the colour is known at each pixel alone
-  on_relief,       ///< the group's own lights, with the directions that relief needs
-  with_opacity,    ///< the group's own lights, and the vertices' opacities
+  local,           ///< as plain, and with point lights and highlights
+  local_on_solid,  ///< as local, for solids, whose colour is known only at each pixel
+  on_relief,       ///< the group's own lights, signed as relief needs them
+  with_opacity,    ///< the group's own lights, with the opacities of vertices
 };
 
-/// What an instance's texture coordinates are made from.
+/// The source of an instance's texture coordinates.
 enum class CoordinateSource : std::uint8_t {
-  none,        ///< it has none
+  none,        ///< there are none
   mesh,        ///< the mesh's own
-  sphere_map,  ///< the mesh's normals, as the surroundings are mirrored
-  solid,       ///< the vertices' places in the solid: three coordinates
+  sphere_map,  ///< reflection of the surroundings, from the mesh's normals
+  solid,       ///< positions of the vertices in a solid: three coordinates
 };
 
-/// What becomes of an instance: decided once, from its mesh, its material and the frame, before anything of it is made.
-/// Everyone behind `plan_instance` goes by it and asks neither mesh nor material again.
+/// All decisions about an instance, made once from its mesh, its material and the frame, before any of its data is
+/// made. Code after `plan_instance` follows the plan and does not consult mesh or material for them again.
 struct InstancePlan {
-  MissingShader missing = MissingShader::none;            ///< the instance is left out for want of this
-  std::uint8_t shader = 0;                                ///< place in the renderer's list of shaders
-  VertexLighting lighting = VertexLighting::none;         ///< who gives its vertices their shades
-  vertex_shade::Kind shades{};                            ///< what vertices' shades are
-  CoordinateSource coordinates = CoordinateSource::none;  ///< of vertices' textures
+  MissingShader missing =
+      MissingShader::none;  ///< shader without which the instance cannot be drawn; it is then left out
+  std::uint8_t shader = 0;  ///< index in the renderer's list of shaders
+  VertexLighting lighting = VertexLighting::none;         ///< how vertices get their shades
+  vertex_shade::Kind shades{};                            ///< what each shade of a vertex holds
+  CoordinateSource coordinates = CoordinateSource::none;  ///< source of texture coordinates
   bool ramp = false;                                      ///< the group has a ramp of its colour
-  bool smooth = false;                                    ///< light and colour are interpolated
+  bool smooth = false;                                    ///< light and colour are interpolated between the vertices
   bool described = false;                                 ///< the group has a TexturedGroup
   bool local_light = false;                               ///< the group has a LocalLighting
-  bool holes = false;                                     ///< it has texels that are not there
-  bool see_through = false;                               ///< what lies behind it may show
+  bool holes = false;                                     ///< some of its texels are absent
+  bool see_through = false;                               ///< what lies behind it may be seen through it
 
   /// Whether vertices have shades.
   [[nodiscard]] constexpr bool shaded() const { return lighting != VertexLighting::none; }
   /// Whether vertices have texture coordinates.
   [[nodiscard]] constexpr bool textured() const { return coordinates != CoordinateSource::none; }
-  /// Whether they have a third.
+  /// Whether vertices have a third texture coordinate.
   [[nodiscard]] constexpr bool has_third_coordinates() const { return coordinates == CoordinateSource::solid; }
 };
 
@@ -78,8 +79,8 @@ template <class Traits>
 
 }  // namespace plan_detail
 
-/// The plan for a mesh of a material. `decides_spans`: the algorithm draws whole spans without depths, and can look
-/// through holes by layers alone.
+/// The plan for a mesh with a material. `decides_spans`: the algorithm draws whole spans without depths, so that only
+/// layers let it show what is behind holes.
 template <class Traits>
 [[nodiscard]] InstancePlan plan_instance(const Mesh& mesh, const Material& material, const FrameNeeds& frame,
                                          bool decides_spans) {
@@ -109,8 +110,8 @@ template <class Traits>
   return plan;
 }
 
-/// The plan for triangles that are on screen already: flat, without the frame's light and effects. Of the material,
-/// opacity and transparency count.
+/// The plan for triangles in screen coordinates. They are flat and take neither light nor effects of the frame; of the
+/// material only opacity and transparency are used.
 template <class Traits>
 [[nodiscard]] InstancePlan plan_screen_triangles(const Material& material) {
   using Set = ShaderSet<Traits>;

@@ -25,13 +25,13 @@ namespace spanline {
 template <class Depth>
 struct Picked {
   std::uint32_t id = 0;     ///< 1 + number of the triangle in order of submission; 0: the background
-  std::uint32_t depth = 0;  ///< the depth integer in the format's sense; that of the clear value for the background
+  std::uint32_t depth = 0;  ///< depth in the integers of the format; its clear value for the background
 };
 
 /// What `pick` is made of.
 namespace pick_detail {
 
-/// Draws nothing of use; notes one pixel and ends the frame behind it.
+/// A sink that records one pixel and then abandons the frame.
 template <class Traits>
 struct Sink {
   std::int32_t x, y, width;
@@ -50,9 +50,10 @@ struct Sink {
 
 }  // namespace pick_detail
 
-/// Finds the triangle that the frame, begun and added to as for `draw`, shows at (x, y), and its depth there; by any
-/// visibility algorithm, in the memory of its own bands. The renderer's traits are `IdTraits` with statistics, which
-/// make every algorithm keep depths. Draws the bands down to y's. outside_picture for a pixel that it does not have.
+/// Finds the triangle that the frame shows at (x, y), and its depth there. The frame must have been begun and filled as
+/// for `draw`; any visibility algorithm will do, and the renderer's own bands are used. The renderer's traits must be
+/// `IdTraits` with statistics, which make every algorithm keep depths. Bands are drawn down to the one that holds y.
+/// Returns outside_picture if the picture has no such pixel.
 template <class Traits>
 Status pick(Renderer<Traits>& renderer, std::int32_t x, std::int32_t y, Picked<typename Traits::Depth>& picked) {
   static_assert(Traits::statistics && Traits::Shaders::template index_of<IdShader> < Traits::Shaders::count);

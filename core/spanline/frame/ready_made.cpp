@@ -20,7 +20,7 @@ template class Renderer<TextureTraits<Rgb565, Depth24<>, Spanning>>;
 template class Renderer<SeeThroughTraits<Rgb565>>;
 template class Renderer<SeeThroughTraits<Rgb565, Depth24<>, Spanning>>;
 
-// The table of docs/visibility.md: polygons that `Spanning` can have awake on a row of a 32-bit core.
+// The table of docs/visibility.md: how many polygons `Spanning` can have active on a row on a 32-bit core.
 namespace {
 
 template <template <class, class...> class Traits>

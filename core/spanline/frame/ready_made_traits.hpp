@@ -39,16 +39,16 @@ namespace spanline {
 template <class Format>
 using PlainShaders = ShaderList<FlatShader<Format>, GouraudShader<Format>, GouraudColourShader<Format>>;
 
-/// And textures of RGB565 that repeat, read at their nearest texel: unlit, and under white light of either kind.
+/// The same, and nearest texels of repeating RGB565 textures: unlit, flat or smooth under white light.
 template <class Format>
 using TextureShaders =
     WithShaders<PlainShaders<Format>, NearestTextureShader<Format, TexelFormat::rgb565, NoTexelLight>,
                 NearestTextureShader<Format, TexelFormat::rgb565, FlatTexelLight>,
                 NearestTextureShader<Format, TexelFormat::rgb565, GouraudTexelLight>>;
 
-/// And such textures with mip maps and bilinear filtering; one shader behind them that serves whatever they do not:
-/// other texel formats, clamping, texture functions, coloured surfaces under a texture, fog and dither; and point
-/// lights, highlights, relief and solids of tables.
+/// The same, and such textures with mip maps and bilinear filtering. The general shader at the end serves what the
+/// others do not: other texel formats, clamping, texture functions, coloured surfaces under a texture, fog and dither.
+/// There are shaders for point lights, highlights, relief and solids given by tables.
 template <class Format>
 using GeneralShaders =
     WithShaders<TextureShaders<Format>, MipTextureShader<Format, TextureFilter::bilinear, NoTexelLight>,
@@ -59,8 +59,8 @@ using GeneralShaders =
                 MipTextureShader<Format, TextureFilter::nearest, GouraudTexelLight>, GeneralShader<Format>,
                 LocalFlatShader<Format>, ReliefShader<Format>, VolumeShader<Format>>;
 
-// Traits by what they shade. Behind the pixel format stand options in any order, each at most once: a depth format
-// (Depth16<> if none is named), a visibility algorithm (ZBuffer if none is named), and Counted (frame/traits.hpp).
+// Traits by what they shade. After the pixel format there may be options in any order, each at most once: a depth
+// format (Depth16<> by default), a visibility algorithm (ZBuffer by default), and Counted (frame/traits.hpp).
 //
 //     FlatTraits<>                               // RGB565, 16-bit depth, a z-buffer
 //     FlatTraits<Rgb565, Depth24<>, Spanning>    // 24-bit depth by spanning scan line
@@ -89,17 +89,17 @@ using SeeThroughTraits = RendererTraits<
 template <class Format = Rgb565, class... Options>
 using TextureTraits = RendererTraits<Format, TextureShaders<Format>, Options...>;
 
-/// The same, and textures in fog. In a frame with fog it draws nothing but those.
+/// The same, and textures in fog. A frame with fog shows only those.
 template <class Format = Rgb565, class... Options>
 using FoggedTextureTraits =
     RendererTraits<Format, WithShaders<TextureShaders<Format>, FoggedTextureShader<Format, TexelFormat::rgb565>>,
                    Options...>;
 
-/// Everything that is opaque.
+/// Everything that can be drawn opaque.
 template <class Format = Rgb565, class... Options>
 using GeneralTraits = RendererTraits<Format, GeneralShaders<Format>, Options...>;
 
-/// All of it, opaque and see-through, and opacities that vary over a polygon.
+/// Everything, opaque and see-through, including opacities that vary over a polygon.
 template <class Format = Rgb565, class... Options>
 using GeneralSeeThroughTraits = RendererTraits<
     Format,
@@ -109,7 +109,7 @@ using GeneralSeeThroughTraits = RendererTraits<
                 SeeThroughShader<Format, TranslucentShader<Format>>>,
     Options...>;
 
-/// Draws polygon numbers instead of colours; options alone, since there is one format of numbers.
+/// Draws polygon numbers instead of colours. It takes only options, because there is one format of numbers.
 template <class... Options>
 using IdTraits = RendererTraits<PolygonIds, ShaderList<IdShader>, Options...>;
 

@@ -46,28 +46,29 @@ namespace spanline {
 template <class Traits>
 class BandPartner;
 
-/// Numbers of a frame (design: the lectures' sets P, F, B; and what visibility did, where the traits count it).
+/// Counts of a frame: its polygons, and the work of the visibility algorithm if the traits ask for statistics.
 struct Statistics {
-  PolygonCounts polygons;         ///< how many there were, and how many were left out
-  VisibilityCounters visibility;  ///< what the algorithm did; zeros where the traits do not count
+  PolygonCounts polygons;         ///< how many were submitted, and how many were left out and why
+  VisibilityCounters visibility;  ///< work of the visibility algorithm; zeros without statistics
 };
 
-/// The front door: takes a frame's instances, then draws it band by band.
+/// The main interface of the library: it takes the instances of a frame and then draws the frame band by band.
 ///
-/// It owns no memory: `bytes_needed` bytes are the caller's, and so are the tables of meshes and lights, which must
-/// stay until `draw` has returned. Nothing is allocated. The order of submission settles ties.
+/// It owns no memory and allocates none. The caller supplies `bytes_needed` bytes, and the tables of meshes and lights,
+/// which must stay valid until `draw` has returned. Of surfaces at equal depth, the order of submission decides which
+/// is seen.
 template <class Traits>
 class Renderer {
  public:
   using Depth = typename Traits::Depth;      ///< the format of depths
-  using DepthWord = typename Depth::Word;    ///< of the depth buffer
+  using DepthWord = typename Depth::Word;    ///< a depth in the depth buffer
   using Format = typename Traits::Format;    ///< the pixel format
-  using Pixel = typename Format::Pixel;      ///< a word of it
+  using Pixel = typename Format::Pixel;      ///< a pixel in that format
   using Shaders = typename Traits::Shaders;  ///< the list of shaders
-  /// What a sink gets: a Band of these words.
+  /// What a sink receives: a Band of these words.
   using BandView = typename BandDrawer<Traits>::BandView;
 
-  /// Bytes that a configuration takes of the caller's memory, alignment included.
+  /// Bytes of the caller's memory that a configuration takes, alignment included.
   [[nodiscard]] static constexpr std::size_t bytes_needed(const Capacity& capacity) {
     Arena counting;
     FramePools<Traits> pools;
@@ -77,16 +78,16 @@ class Renderer {
     return counting.size() + Arena::alignment - 1;
   }
 
-  /// What a renderer would say of a configuration: sizes outside their ranges are bad_configuration, and so are pools
-  /// with more entries than can be numbered, which the status names with the most that they can have. That differs from
-  /// core to core, and with the shaders: `Spanning` addresses its records by 16 bits on 32-bit cores.
+  /// The status that a renderer would have with a configuration. It is bad_configuration if a size is out of its range,
+  /// or if a pool has more entries than can be numbered; then it names the pool and its limit. The limit depends on the
+  /// core and on the shaders: `Spanning` addresses its records by 16 bits on 32-bit cores.
   [[nodiscard]] static constexpr Status check(const Capacity& capacity) { return FramePools<Traits>::check(capacity); }
-  /// Whether a renderer takes a configuration, for programs that hold a constant one against it:
+  /// Whether a renderer accepts a configuration, for checks of a constant one at compile time:
   ///
   ///     static_assert(Renderer<FlatTraits<>>::takes(capacity));
   [[nodiscard]] static constexpr bool takes(const Capacity& capacity) { return check(capacity).ok(); }
 
-  /// Divides `memory` into pools. `status()` tells whether it was enough and the capacity valid; if not, the renderer
+  /// Divides `memory` into pools. `status()` tells whether it sufficed and the capacity is valid; if not, the renderer
   /// refuses every frame.
   Renderer(const Capacity& capacity, std::span<std::byte> memory) : drawer_(capacity, {}) {
     status_ = check(capacity);
@@ -110,11 +111,11 @@ class Renderer {
     bucket_of_row_ = BandOfRow(Visibility::bucket_lines(capacity));
   }
 
-  /// Whether the memory was enough and the capacity in its ranges.
+  /// Whether the memory sufficed and the capacity is valid.
   [[nodiscard]] Status status() const { return status_; }
 
-  /// Starts a frame. Where the settings are out of their ranges it says so, and so do all calls for this frame: nothing
-  /// is added or drawn.
+  /// Starts a frame. If the settings are out of their ranges it returns a fault, and so do all further calls for this
+  /// frame: nothing is added or drawn.
   Status begin(const FrameSettings& settings) {
     drawer_.forget_clears();
     table_.clear();
@@ -133,18 +134,19 @@ class Renderer {
     return {};
   }
 
-  /// Adds an instance of a validated mesh; the Mesh object itself must stay until `draw` has returned. What the shaders
-  /// cannot draw is left out, and the status names the shader that is missing. Where a pool is full what fits is kept,
-  /// and the status names the pool and the size that the frame has wanted so far.
+  /// Adds an instance of a validated mesh; the Mesh object itself must stay valid until `draw` has returned. If no
+  /// shader can draw the instance it is left out, and the status names the missing shader. If a pool is full, what fits
+  /// is kept, and the status names the pool and the size that the frame has needed so far.
   Status add(const Mesh& mesh, const Transform& transform, const Material& material) {
     if (!frame_.ok()) return frame_;
     return place(mesh, transform, material, number_triangles(mesh.triangle_count()),
                  [&](auto assemble) { assemble(PolygonRange::whole(mesh)); });
   }
 
-  /// Adds instances, or parts of them, as an order hands them over (world/submission_order.hpp). Triangles are numbered
-  /// as the list of instances has them, whatever the order. What finds no room is left out and the rest is added; the
-  /// status is that of the first one that did not fit, or `bad_order` for an instance or polygons that do not exist.
+  /// Adds instances, or parts of them, in the sequence of a submission order (world/submission_order.hpp). Triangles
+  /// are numbered by the list of instances, whatever the order. What does not fit is left out and the rest is added.
+  /// The status is that of the first instance that did not fit, or `bad_order` for an instance or polygons that do not
+  /// exist.
   template <SubmissionOrder Order>
   Status add_in_order(Order&& order, std::span<const OrderedInstance> instances) {
     if (!frame_.ok()) return frame_;
@@ -154,7 +156,7 @@ class Renderer {
     for (bool more = order.next(next); more;) {
       const std::uint32_t number = next.instance;
       Status status = Fault::bad_order;
-      bool taken = false;  // whether the submissions of this instance were gone through
+      bool taken = false;  // whether the order's entries of this instance have been visited
       if (number < instances.size()) {
         const OrderedInstance& instance = instances[number];
         std::uint32_t id = first_id;
@@ -178,7 +180,7 @@ class Renderer {
         more = order.next(next);
         if (more && next.instance != number) break;
       }
-      // Behind the first fault, the same pool may want more.
+      // After the first fault, later instances may need more of the same pool.
       const bool wants_more = status.fault == Fault::pool_full && status.pool == first_fault.pool;
       if (first_fault.ok() || wants_more) first_fault = status;
     }
@@ -187,15 +189,14 @@ class Renderer {
     return first_fault;
   }
 
-  /// Adds triangles that are on screen already: corners three by three (outcodes set where they leave the viewport),
-  /// and a colour each in RGB565. Both tables must stay until `draw` has returned. They are flat, whatever the frame's
-  /// light, fog and dither; of the material, opacity and transparency count. 32,767 triangles a call on 32-bit
-  /// machines.
+  /// Adds triangles in screen coordinates: three corners each, with outcodes set where they lie outside the viewport,
+  /// and an RGB565 colour each. Both tables must stay valid until `draw` has returned. The triangles are flat and take
+  /// neither light, fog nor dither. At most 32,767 triangles a call on 32-bit cores.
   Status add_screen(std::span<const ScreenVertex> vertices, std::span<const std::uint16_t> colours) {
-    static constexpr Material opaque{};  // made once, not by each caller
+    static constexpr Material opaque{};  // static, so that it is not built on every call
     return add_screen(vertices, colours, opaque);
   }
-  /// The same with the opacity and the transparency of a material.
+  /// The same with the opacity and the transparency of a material; nothing else of the material is used.
   Status add_screen(std::span<const ScreenVertex> vertices, std::span<const std::uint16_t> colours,
                     const Material& material) {
     if (!frame_.ok()) return frame_;
@@ -216,50 +217,51 @@ class Renderer {
     return finish(assembly, 0, plan);
   }
 
-  /// For a FillingSink, between `begin` and `draw`: starts to clear the first band, while instances are added. False
-  /// where the sink gives up, as it will for `draw`.
+  /// With a FillingSink, between `begin` and `draw`: starts to clear the first band while instances are added. Returns
+  /// false if the sink abandons the frame; `draw` will then fail too.
   template <class Sink>
   bool clear_ahead(Sink&& sink) {
     return !frame_.ok() || drawer_.clear_ahead(scene(), 0, sink);
   }
 
-  /// Draws the frame, top to bottom. For each band: `sink.acquire(buffer)` where the sink has it, which waits until
-  /// that colour band is free again; then the drawing; then `sink(band)`. Either may return false to give the frame up.
-  /// With statistics, `sink.covered(id)` is told of every triangle that covers a pixel centre, where the sink has it.
+  /// Draws the frame from top to bottom. For each band it calls `sink.acquire(buffer)` if the sink has it, which waits
+  /// until that colour band is free again; it draws the band; and it calls `sink(band)`. Either call may return false
+  /// to abandon the frame. With statistics, `sink.covered(id)` is called for every triangle that covers a pixel centre,
+  /// if the sink has it.
   template <class Sink>
   Status draw(Sink&& sink) {
     return draw_share(BandShare::all, sink);
   }
-  /// Draws the bands 0, 2, 4, … alone, while a BandPartner draws the others.
+  /// Draws only the bands 0, 2, 4, …, while a BandPartner draws the others.
   template <class Sink>
   Status draw_even(Sink&& sink) {
     return draw_share(BandShare::even, sink);
   }
 
-  /// The steps of `draw`, for programs with a loop of their own (benchmarks): start, then for each band in order clear
-  /// and draw, then end. Without a frame, before `start_bands`, and for a band that the picture does not have they do
-  /// nothing and say so; the view of such a band is empty.
+  /// The steps of `draw`, for programs with their own loop, such as benchmarks: start; then clear and draw each band in
+  /// order; then end. A step without a frame, before `start_bands`, or for a band outside the picture does nothing and
+  /// returns a fault; the view of such a band is empty.
   Status start_bands() {
     if (!frame_.ok()) return frame_;
     bands_in_turn_ = capacity().bands();
     drawer_.start(scene(), BandShare::all);
     return {};
   }
-  /// Prepares a band, [0, `capacity().bands()`).
+  /// Clears a band in [0, `capacity().bands()`) before it is drawn.
   Status clear_band(std::uint32_t band) {
     if (!frame_.ok()) return frame_;
-    // By a product: Cortex-M0+ has no division.
+    // The check multiplies because Cortex-M0+ has no division.
     if (band >= capacity().height || band * capacity().band_lines >= capacity().height) return Fault::bad_step;
     drawer_.clear_band(scene(), band);
     return {};
   }
-  /// Draws a band that was cleared. The sink is told of covered triangles alone.
+  /// Draws a band that was cleared. Of the sink, only `covered` is called.
   template <class Sink>
   BandView draw_band(std::uint32_t band, Sink& sink) {
     if (band >= bands_in_turn_) return {};
     return drawer_.draw_band(scene(), band, sink);
   }
-  /// Ends a frame that was drawn by steps, or that the sink of `draw` gave up. Its pools may have been too small.
+  /// Ends a frame that was drawn by steps, or that the sink of `draw` abandoned. The status names a pool that ran full.
   Status end_bands() {
     if (!frame_.ok()) return frame_;
     if (bands_in_turn_ == 0) return Fault::bad_step;
@@ -268,17 +270,17 @@ class Renderer {
     return drawer_.end(scene());
   }
 
-  /// The memory of a colour band, counted from 0, for present loops that hand it to a display; empty where the band
-  /// does not exist. Frames use them in turn; with three and more the next frame goes on where the last one ended.
+  /// The memory of colour band `buffer`, from 0, for present loops that hand it to a display; empty if there is no such
+  /// band. Frames use the colour bands in turn; with three or more, the next frame continues after the last one used.
   [[nodiscard]] std::span<Pixel> colour_band(unsigned buffer) const { return drawer_.colour_band(buffer); }
-  /// Numbers of the frame so far, complete behind `draw`.
+  /// Counts of the frame so far; complete once `draw` has returned.
   [[nodiscard]] Statistics statistics() const {
     if constexpr (Traits::statistics) return {counts_, counters_};
     return {counts_, {}};
   }
-  /// Bytes of each pool that the last frame took.
+  /// Bytes of each pool that the last frame used.
   [[nodiscard]] const PoolPeaks& peaks() const { return peaks_; }
-  /// The sizes that it was made for.
+  /// The capacity that the renderer was made for.
   [[nodiscard]] const Capacity& capacity() const { return drawer_.capacity(); }
 
  private:
@@ -311,7 +313,7 @@ class Renderer {
     return drawn;
   }
 
-  /// Numbers of the frame's triangles count on through those that are not drawn.
+  /// Numbers an instance's triangles. Triangles that are not drawn have numbers too.
   std::uint32_t number_triangles(std::size_t count) {
     const std::uint32_t first_id = pools_.used.ids;
     pools_.used.ids += static_cast<std::uint32_t>(count);
@@ -326,7 +328,7 @@ class Renderer {
     });
     return {};
   }
-  /// A group as planned, for which there is room: its geometry and its light are still to come.
+  /// Opens a group as planned; there must be room for it. Its geometry and its light are added later.
   Link open_group(const InstancePlan& plan, const Material& material, std::uint32_t first_id) {
     const Link number = table_.group_count++;
     table_.groups[number] = {nullptr, nullptr, table_.polygon_count, first_id, true, plan.see_through, plan.holes};
@@ -338,8 +340,8 @@ class Renderer {
     return number;
   }
 
-  /// Puts an instance on the screen, and those of its polygons into the table that `parts(assemble)` calls
-  /// assemble(range) for. Where there is nothing to assemble, `parts` is not called.
+  /// Transforms an instance to the screen and adds polygons of it to the table: those of each range for which
+  /// `parts(assemble)` calls assemble(range). `parts` is not called if no polygon can be visible.
   template <class Parts>
   Status place(const Mesh& mesh, const Transform& transform, const Material& material, std::uint32_t first_id,
                Parts parts) {
@@ -413,8 +415,8 @@ class Renderer {
   }
 
   BandDrawer<Traits> drawer_;
-  Status status_{};                  ///< of the configuration and its memory
-  Status frame_{Fault::no_frame};    ///< what keeps the frame from being added to and drawn
+  Status status_{};                  ///< of the capacity and the memory
+  Status frame_{Fault::no_frame};    ///< why the frame cannot be added to and drawn, or ok
   std::uint32_t bands_in_turn_ = 0;  ///< all of them between start_bands and end_bands
   FramePools<Traits> pools_{};
   SurfaceMaker<Traits> surfaces_;

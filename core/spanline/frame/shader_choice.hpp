@@ -11,32 +11,32 @@
 
 namespace spanline {
 
-/// What a frame asks of every shader.
+/// What a frame requires of every shader.
 struct FrameNeeds {
-  bool point_lights = false;  ///< there are some
-  bool fog = false;           ///< colours fade into it
+  bool point_lights = false;  ///< there are point lights
+  bool fog = false;           ///< the frame has fog
   bool dither = false;        ///< ordered dither
 };
 
-/// What an instance asks of a shader: of its mesh, its material and the frame.
+/// What an instance requires of a shader, because of its mesh, its material and the frame.
 struct SurfaceNeeds {
   bool smooth = false;            ///< Gouraud shading
-  bool vertex_colours = false;    ///< the mesh has them
-  bool mapped = false;            ///< a texture lies on the mesh
+  bool vertex_colours = false;    ///< the mesh has vertex colours
+  bool mapped = false;            ///< the mesh is textured
   bool relief = false;            ///< bump mapping or embossing (shade/pixelwise/relief.hpp)
   bool volume = false;            ///< a solid (shade/pixelwise/volume.hpp)
-  bool textured = false;          ///< its vertices take texture coordinates, for one of these three
+  bool textured = false;          ///< vertices need texture coordinates for one of the three above
   bool local_light = false;       ///< point lights or highlights (shade/light/local_light.hpp)
-  bool fog = false;               ///< of the frame
-  bool dither = false;            ///< of the frame
-  bool effects = false;           ///< one of these two
-  bool holes = false;             ///< texels that are not there
-  bool opacity_a_vertex = false;  ///< the mesh has opacities of its own
-  bool varies = false;            ///< the opacity, over a polygon
-  bool see_through = false;       ///< something may be seen behind it, if only in places
+  bool fog = false;               ///< the frame has fog
+  bool dither = false;            ///< the frame has dither
+  bool effects = false;           ///< fog or dither
+  bool holes = false;             ///< some texels may be absent
+  bool opacity_a_vertex = false;  ///< the mesh has vertex opacities
+  bool varies = false;            ///< the opacity varies over a polygon
+  bool see_through = false;       ///< some points may be seen through
 };
 
-/// What a mesh in a material asks of a shader.
+/// What a mesh with a material requires of a shader.
 [[nodiscard]] inline SurfaceNeeds needs_of(const Mesh& mesh, const Material& material, const FrameNeeds& frame) {
   SurfaceNeeds needs;
   needs.smooth = material.shading == ShadingMode::gouraud;
@@ -57,13 +57,14 @@ struct SurfaceNeeds {
   return needs;
 }
 
-/// Whether a shader says itself which surfaces it draws, as those of programs do: no line here names them.
+/// Whether a shader decides itself which surfaces it draws. Shaders that programs add do so, because this file does not
+/// know them.
 template <class Shader>
 concept SaysWhatItDraws = requires(const Material& material, const SurfaceNeeds& needs) {
   { Shader::draws(material, needs) } -> std::same_as<bool>;
 };
 
-/// Whether a shader serves a material, but for its opacity.
+/// Whether a shader can draw a material, apart from its opacity.
 template <class Shader, class Format>
 [[nodiscard]] constexpr bool serves(const Material& material, const SurfaceNeeds& needs) {
   if constexpr (SaysWhatItDraws<Shader>) return Shader::draws(material, needs);
@@ -74,7 +75,8 @@ template <class Shader, class Format>
       return needs.relief && Shader::serves(material, needs.vertex_colours);
     return false;
   }
-  // Of those that draw textures, the general shader alone has all effects and local light; some are for fog.
+  // Of the shaders that draw textures, only the general shader has all effects and local light; some others draw only
+  // in fog.
   if constexpr (std::is_same_v<Shader, GeneralShader<Format>>)
     return needs.mapped || needs.effects;
   else if constexpr (Fogged<Shader>)
@@ -93,19 +95,20 @@ template <class Shader, class Format>
     return std::is_same_v<Shader, GouraudShader<Format>>;
 }
 
-/// Whether no shader of the library is for it: relief knows no other light than the group's own and no solid, and
-/// neither of both nor local light goes with opacities that vary.
+/// Whether no shader of the library can draw a surface. Relief works only with the group's own lights and without a
+/// solid, and an opacity that varies works with neither relief, solids nor local light.
 [[nodiscard]] constexpr bool is_mixture(const SurfaceNeeds& needs) {
   if (needs.relief && (needs.volume || needs.local_light)) return true;
   return (needs.varies && (needs.relief || needs.volume)) || (needs.opacity_a_vertex && needs.local_light);
 }
 
-/// The place in the list of the shader that serves a surface; the list's `count` if there is none.
+/// The index of the shader that draws a surface; the list's `count` if there is none.
 template <class Traits>
 [[nodiscard]] constexpr std::uint8_t shader_for(const Material& material, const SurfaceNeeds& needs) {
   using Shaders = typename Traits::Shaders;
   using Format = typename Traits::Format;
-  // Without the shader for it vertices know no local light either, and opacities of vertices go with the group's own.
+  // Without LocalFlatShader in the list vertices are not lit locally either, and vertex opacities allow only the
+  // group's own lights.
   if (needs.local_light && (!ShaderSet<Traits>::has_local_light || needs.opacity_a_vertex)) return Shaders::count;
   return Shaders::first([&]<class Shader>() {
     if constexpr (Translucent<Shader>)
@@ -117,7 +120,7 @@ template <class Traits>
   });
 }
 
-/// What a list of shaders without one for a surface lacks: the first that it would have to have.
+/// The first shader that a list lacks to draw a surface.
 template <class Traits>
 [[nodiscard]] constexpr MissingShader missing_for(const Material& material, const SurfaceNeeds& needs) {
   using Set = ShaderSet<Traits>;
@@ -129,7 +132,7 @@ template <class Traits>
   if (needs.mapped && !Set::has_textures) return needs.see_through ? translucent_texture : texture;
   if (needs.opacity_a_vertex) return varying_opacity;
   if (needs.varies) return translucent_texture;
-  // An opaque one would be served: the list has it, and nothing that is seen through.
+  // The list could draw the surface if it were opaque; only the see-through shader is missing.
   if (needs.see_through) {
     SurfaceNeeds opaque = needs;
     opaque.see_through = false;

@@ -18,27 +18,27 @@
 
 namespace spanline {
 
-/// The shader that makes the colours of one that is seen through; others themselves.
+/// The shader that computes the colours: that inside a see-through shader, or the shader itself.
 template <class Shader>
 struct ColourShaderOf {
   using type = Shader;  ///< itself
 };
-/// Of those that are seen through.
+/// The case of a see-through shader.
 template <SeeThrough Shader>
 struct ColourShaderOf<Shader> {
-  using type = typename Shader::Inner;  ///< the one within
+  using type = typename Shader::Inner;  ///< the shader inside
 };
 /// The same as a type.
 template <class Shader>
 using ColourShader = typename ColourShaderOf<Shader>::type;
 
-/// Whether a shader draws textures: it says which materials it serves.
+/// Whether a shader draws textures; such a shader says which materials it serves.
 template <class Shader>
 concept DrawsTextures = requires(const Material& material) {
   Shader::serves(material, true);
 };
 
-/// Whether a shader is for frames with fog alone.
+/// Whether a shader draws only in frames with fog.
 template <class Shader>
 concept Fogged = DrawsTextures<Shader> && requires {
   requires Shader::fogged;
@@ -50,24 +50,24 @@ concept Translucent = SeeThrough<Shader> && requires {
   requires Shader::Inner::translucent;
 };
 
-/// What a renderer's list of shaders has: a program links nothing else, and its pools hold nothing else.
+/// What a renderer's list of shaders contains. A program links only this, and its pools hold only data for it.
 template <class Traits>
 struct ShaderSet {
   using Shaders = typename Traits::Shaders;  ///< the list
   using Format = typename Traits::Format;    ///< of pixels
 
-  /// Whether a shader is in the list as it is.
+  /// Whether exactly this shader is in the list.
   template <class Shader>
   static constexpr bool has = Shaders::template index_of<Shader> < Shaders::count;
-  /// Whether a shader is in the list, plain or seen through.
+  /// Whether a shader is in the list, by itself or inside a see-through shader.
   template <class Shader>
   static constexpr bool has_colours_of = Shaders::first([]<class S>() {
                                            return std::is_same_v<ColourShader<S>, Shader>;
                                          }) < Shaders::count;
 
-  /// Places in the list; its `count` for shaders that it does not have.
+  /// Index in the list; its `count` for shaders that it does not have.
   static constexpr std::uint8_t general = Shaders::template index_of<GeneralShader<Format>>;
-  /// The place of the shader for opacities that vary over a polygon.
+  /// Index of the shader for opacities that vary over a polygon.
   static constexpr std::uint8_t translucent = Shaders::first([]<class Shader>() { return Translucent<Shader>; });
   static constexpr bool has_ids = has<IdShader>;                            ///< numbers are drawn, not colours
   static constexpr bool has_translucent = translucent < Shaders::count;     ///< opacities that vary over a polygon
@@ -88,7 +88,7 @@ struct ShaderSet {
       general < Shaders::count || has_translucent || has_pixelwise ||
       Shaders::first([]<class Shader>() { return Fogged<ColourShader<Shader>>; }) < Shaders::count;
 
-  /// Whether a place in the list is that of a shader with all effects.
+  /// Whether the shader at an index has all effects.
   [[nodiscard]] static constexpr bool is_general(std::uint8_t shader) {
     if constexpr (has_translucent) {
       if (shader == translucent) return true;

@@ -14,14 +14,14 @@
 
 namespace spanline {
 
-/// Tells shaders what they need to know of a frame and its groups: lights, effects, and what a material asks for.
+/// Supplies shaders with the data of a frame and its groups: lights, effects, and what the materials require.
 template <class Traits>
 class SurfaceMaker {
   using Set = ShaderSet<Traits>;
   using Format = typename Traits::Format;
 
  public:
-  /// Keeps of a frame's settings what surfaces want.
+  /// Keeps the frame's settings that shaders need.
   void begin(const FrameSettings& settings) {
     lighting_ = settings.lighting;
     stipple_seed_ = settings.stipple_seed;
@@ -33,7 +33,7 @@ class SurfaceMaker {
     }
   }
 
-  /// Describes group `number` as planned, and lights its vertices.
+  /// Fills in the data of group `number` as planned, and lights its vertices.
   void make(const Mesh& mesh, const Transform& transform, const Material& material, const InstancePlan& plan,
             const Camera& camera, Link number, const VertexStore& store, FramePools<Traits>& pools) {
     ShadingGroup& shading = pools.shading[number];
@@ -41,7 +41,7 @@ class SurfaceMaker {
     shading.vertex_shades = store.shades.data();
     shading.colour = LitColour::from(material.colour);
     describe(mesh, transform, material, plan, camera, number, store, pools);
-    if (material.lit) set_lights(lighting_, transform, shading);  // others have full ambient light
+    if (material.lit) set_lights(lighting_, transform, shading);  // unlit materials have full ambient light
     if constexpr (Set::has_shades) light(mesh, material, plan, shading, store.shades.data());
     if constexpr (Set::has_ramps) {
       if (!plan.ramp) return;
@@ -50,7 +50,7 @@ class SurfaceMaker {
       shading.ramp = ramp;
     }
   }
-  /// Says how a group shows what lies behind it, where the list has shaders that do.
+  /// Sets how a group shows what lies behind it, if the list has see-through shaders.
   void set_layering([[maybe_unused]] const Material& material, [[maybe_unused]] Link number,
                     [[maybe_unused]] ShadingGroup& shading) const {
     if constexpr (Traits::Shaders::see_through) shading.layering = layering_of(material, number, stipple_seed_);
@@ -59,7 +59,7 @@ class SurfaceMaker {
  private:
   struct NoEffects {};
 
-  /// What shaders other than flat and Gouraud need to know.
+  /// Fills in the data that shaders other than flat and Gouraud need.
   void describe([[maybe_unused]] const Mesh& mesh, [[maybe_unused]] const Transform& transform,
                 [[maybe_unused]] const Material& material, [[maybe_unused]] const InstancePlan& plan,
                 [[maybe_unused]] const Camera& camera, [[maybe_unused]] Link number,
@@ -74,7 +74,7 @@ class SurfaceMaker {
         more.pixelwise = &pools.pixelwise[number];
       }
       if constexpr (Set::has_local_light) {
-        // In place: it is too large for a temporary on small stacks.
+        // It is built in place, because it is too large for a temporary on small stacks.
         if (plan.local_light)
           more.local = new (&pools.local_lights[number]) LocalLighting(lighting_, camera, mesh, transform, material);
       }

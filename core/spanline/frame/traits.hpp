@@ -22,7 +22,7 @@
 namespace spanline {
 
 /// An option of renderer traits: spans, pixels and depth tests are counted, and the sink is told of every triangle that
-/// covers a pixel centre. It costs time, so that a program asks for it.
+/// covers a pixel centre. It is an option because counting takes time.
 struct Counted {};
 
 /// A format of depths: `Depth16<…>` or `Depth24<…>`.
@@ -62,7 +62,7 @@ struct DepthOf<Default, First, Rest...> {
   using Type = First;
 };
 
-/// The same for visibility.
+/// The first visibility algorithm among the options, or the default.
 template <class Default, class... Options>
 struct VisibilityOf {
   using Type = Default;
@@ -74,7 +74,7 @@ struct VisibilityOf<Default, First, Rest...> {
   using Type = First;
 };
 
-/// What options say, in whatever order: the same choices are the same type.
+/// The choices that a list of options makes. The order of options does not change the type.
 template <class... Options>
 struct Chosen {
   static_assert(((DepthOption<Options> || VisibilityOption<Options> || is_counted<Options>)&&...),
@@ -91,7 +91,7 @@ struct Chosen {
   static constexpr bool counted = (is_counted<Options> || ...);
 };
 
-/// What a renderer is made of, each choice in its place.
+/// The parts of a renderer, one template parameter for each choice.
 template <class PixelFormat, class ShaderListT, class DepthFormatT, class VisibilityT, bool IsCounted>
 struct Traits {
   using Format = PixelFormat;                    ///< Rgb565, Rgb565Swapped or PolygonIds
@@ -103,8 +103,8 @@ struct Traits {
 
 }  // namespace traits_options
 
-/// What a renderer is made of, chosen when the program is compiled: a pixel format, a list of shaders, and options in
-/// any order, each at most once. A program links what its traits name and nothing else.
+/// The parts of a renderer, chosen at compile time: a pixel format, a list of shaders, and options in any order, each
+/// at most once. A program links only the parts that its traits name.
 ///
 ///     RendererTraits<Rgb565, ShaderList<FlatShader<Rgb565>>>                       // Depth16<> and ZBuffer
 ///     RendererTraits<Rgb565, ShaderList<FlatShader<Rgb565>>, Depth24<>, Spanning>

@@ -54,9 +54,8 @@ struct Layering {
 struct ShadingGroup {
   const Mesh* mesh = nullptr;  ///< null for triangles given in screen coordinates
   union {
-    const std::uint16_t* screen_colours =
-        nullptr;                    ///< triangles given in screen coordinates: RGB565, one for each triangle
-    const TexturedGroup* textured;  ///< meshes: set if the shader needs it
+    const std::uint16_t* screen_colours = nullptr;  ///< screen triangles: RGB565, one for each
+    const TexturedGroup* textured;                  ///< meshes: set if the shader needs it
   };
   const std::uint32_t* vertex_shades = nullptr;  ///< Gouraud shading: one for each vertex (gouraud.hpp)
   const std::uint16_t* ramp = nullptr;  ///< Gouraud shading without vertex colours: 64 pixels from dark to full light
