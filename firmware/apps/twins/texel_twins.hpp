@@ -27,9 +27,9 @@ struct AnyTexels {
     void next_piece() { coordinates.next_piece(); }
     void next_piece(const TextureBlock& block) { coordinates.next_piece(block); }
     void restart(const TextureBlock& block) { coordinates.restart(block); }
-    void restart(const TextureBlock& block, std::uint32_t into) {
+    void restart(const TextureBlock& block, std::uint32_t columns) {
       coordinates.restart(block);
-      coordinates.skip(into, block);
+      coordinates.skip(columns, block);
     }
     void next_block() {}
   };

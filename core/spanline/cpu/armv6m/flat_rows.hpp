@@ -84,12 +84,11 @@ static_assert(sizeof(FlatRowSteps) == 24 && offsetof(FlatRowSteps, rows_after) =
   "lsls r0, r0, #1\n\t"                                                        \
   "add r0, r11\n\t"
 
-// Jumps to the code of the last −r5 pixels before label 3.
-#define SPANLINE_ENTER_PIXELS                                                  \
+// Jumps to the code of the last −r5 pixels before label 3, which lies `distance` bytes before where the jump counts from.
+#define SPANLINE_ENTER_PIXELS(distance)                                        \
   "movs r4, #14\n\t"                                                           \
   "muls r5, r4\n\t"                                                            \
-  "subs r5, #(6f + 4 - 3b)\n\t"                                                \
-  "6: add pc, r5\n\t"
+  SPANLINE_JUMP_FROM_3(distance)
 
 /// Draws the rows of a small triangle in one pixel value, `rows` before its knee and `rows_after` after it, against a
 /// 16-bit depth buffer in which smaller is nearer. It does what FixedRows does in C++, with every quantity of the loop
@@ -107,7 +106,7 @@ static_assert(sizeof(FlatRowSteps) == 24 && offsetof(FlatRowSteps, rows_after) =
                    "4:\n\t"
                    SPANLINE_FIND_RUN(26, 3b)
                    "adds r1, r0, r7\n\t"
-                   SPANLINE_ENTER_PIXELS
+                   SPANLINE_ENTER_PIXELS(50)
                    "5:\n\t"
                    SPANLINE_SECOND_PART(16, 20, r8, r9)
                    SPANLINE_LEAVE_ROWS(24));
@@ -143,7 +142,7 @@ static_assert(sizeof(FlatRowSteps) == 24 && offsetof(FlatRowSteps, rows_after) =
                    "adds r0, r0, r1\n\t"
                    "mov r1, r14\n\t"
                    "add r1, r0\n\t"
-                   SPANLINE_ENTER_PIXELS
+                   SPANLINE_ENTER_PIXELS(74)
                    "5:\n\t"
                    SPANLINE_SECOND_PART(16, 20, r8, r9)
                    SPANLINE_LEAVE_ROWS(24));

@@ -114,8 +114,7 @@ struct RampSurfaceWords {
       "adds r1, r1, r0\n\t"
       "movs r4, #22\n\t"  // 22 bytes a pixel back from label 3
       "muls r5, r4\n\t"
-      "subs r5, #(6f + 4 - 3b)\n\t"
-      "6: add pc, r5\n\t"
+      SPANLINE_JUMP_FROM_3(68)
       "5:\n\t"
       SPANLINE_SECOND_PART(24, 28, r9, r10)
       SPANLINE_LEAVE_ROWS(32));

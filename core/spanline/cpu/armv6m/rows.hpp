@@ -76,6 +76,21 @@ static_assert(offsetof(ActiveTriangle, origin) == 12 && offsetof(ActiveTriangle,
   "str r5, [sp, #4]\n\t"                                                       \
   "b 4b\n"
 
+// A jump r5 bytes from label 3: `distance` bytes lie between it and where the jump begins to count. clang's assembler
+// computes nothing from labels, so that the number is written out, and gcc's holds it against them.
+#if defined(__clang__)
+#define SPANLINE_REQUIRE_DISTANCE(distance)
+#else
+#define SPANLINE_REQUIRE_DISTANCE(distance)                                    \
+  ".if (6b + 4 - 3b) != " #distance "\n\t"                                     \
+  ".error \"the distance is another\"\n\t"                                     \
+  ".endif\n\t"
+#endif
+#define SPANLINE_JUMP_FROM_3(distance)                                         \
+  "subs r5, #" #distance "\n\t"                                                \
+  "6: add pc, r5\n\t"                                                          \
+  SPANLINE_REQUIRE_DISTANCE(distance)
+
 #define SPANLINE_LEAVE_ROWS(room)                                              \
   "9: add sp, #" #room "\n\t"                                                  \
   "pop {r4, r5, r6, r7}\n\t"                                                   \
