@@ -17,6 +17,10 @@ struct LinearFunction {
   void next_row() { at_origin += dy; }
   void skip_rows(std::int32_t rows) { at_origin += dy * word(rows); }
 
+  /// The function times 2^bits.
+  [[nodiscard]] LinearFunction shifted_left(std::uint32_t bits) const {
+    return {at_origin << bits, dx << bits, dy << bits};
+  }
   /// The function whose values are the complements ~z, which reverses their order.
   [[nodiscard]] LinearFunction complemented() const { return {~at_origin, 0u - dx, 0u - dy}; }
 };

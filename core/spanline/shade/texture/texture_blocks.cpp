@@ -41,12 +41,14 @@ void TextureBlocks::divide(Node& node, std::uint32_t u, std::uint32_t v) const {
   const int zeros = leading_zeros_32(node.w);
   const TextureReciprocal inverse = TextureReciprocal::of(node.w << zeros);
   const auto shifted = [](std::uint32_t q30, int shift) { return shift >= 0 ? q30 >> shift : q30 << -shift; };
-  node.u = plane_.base_u + shifted(inverse.share(u << zeros), plane_.shift_u);
-  node.v = plane_.base_v + shifted(inverse.share(v << zeros), plane_.shift_v);
+  node.share_u = inverse.share(u << zeros);
+  node.share_v = inverse.share(v << zeros);
+  node.u = plane_.base_u + shifted(node.share_u, plane_.shift_u);
+  node.v = plane_.base_v + shifted(node.share_v, plane_.shift_v);
 }
 
 TextureBlocks::Node TextureBlocks::node_at(std::int32_t column) const {
-  Node node{plane_.w.at(column), 0, 0, false};
+  Node node{plane_.w.at(column), 0, 0, 0, 0, false};
   const std::uint32_t u = plane_.u.at(column), v = plane_.v.at(column);
   node.valid = in_range(node.w, u, v);
   if (node.valid) divide(node, u, v);
@@ -59,7 +61,7 @@ void TextureBlocks::divide() {
   const auto within = [](std::uint32_t value, std::uint32_t most) {
     return signed_word(value) < 0 ? 0 : value < most ? value : most;
   };
-  Node node{plane_.w.at(column_), 0, 0, true};
+  Node node{plane_.w.at(column_), 0, 0, 0, 0, true};
   if (signed_word(node.w) <= 0) node.w = 1;
   divide(node, within(plane_.u.at(column_), node.w), within(plane_.v.at(column_), node.w));
   at_ = {{.du = 0, .ddu = 0, .dv = 0, .ddv = 0, .u = node.u, .v = node.v}};
@@ -81,7 +83,9 @@ void TextureBlocks::begin_block(std::int32_t column) {
   const Node first = last_;
   last_ = node_at(column + block_columns);
   const std::uint32_t fall = first.w - last_.w;
-  curved_ = first.valid && last_.valid && gentle(fall, last_.w);
+  curved_ = first.valid && last_.valid && gentle(fall, last_.w) &&
+            chords_reach(first.share_u, last_.share_u, plane_.shift_u) &&
+            chords_reach(first.share_v, last_.share_v, plane_.shift_v);
   if (!curved_) return;
   const int zeros = leading_zeros_32(last_.w);
   const std::int32_t bow = TextureReciprocal::of(last_.w << zeros).bow(signed_word(fall << zeros) >> 16);

@@ -13,6 +13,8 @@ constexpr std::uint32_t quarter = 1u << 28;  // Q30
 
 int bit_count(std::uint32_t value) { return value == 0 ? 0 : 32 - leading_zeros_32(value); }
 
+std::uint32_t shifted(std::uint32_t value, int left) { return left >= 0 ? value << left : value >> -left; }
+
 /// value · 2^shift modulo 2^32, rounded down.
 std::uint32_t scaled(std::int32_t value, int shift) {
   if (shift >= 0) return shift > 31 ? 0 : word(value) << shift;
@@ -35,15 +37,16 @@ struct Axis {
     return std::min<std::uint64_t>(static_cast<std::uint64_t>(span) << log2_size, std::uint64_t{1} << 38);
   }
 
-  /// Values of the coordinate itself, in its fixed-point format shifted right by the guard bits.
-  void affine(int log2_size, int fraction, std::array<std::int32_t, 3>& values, std::uint32_t& base) const {
-    const int guard = 32 - affine_bits;
-    for (unsigned i = 0; i < 3; ++i) {
-      const int shift = log2_size + fraction - guard - unit_bits;
-      const std::uint64_t value = shift >= 0 ? static_cast<std::uint64_t>(above[i]) << shift : above[i] >> -shift;
-      values[i] = static_cast<std::int32_t>(value & ((1u << affine_bits) - 1));
-    }
-    base = scaled(least, log2_size + fraction - unit_bits);
+  /// Values of the coordinate itself, in its fixed-point format shifted right by the guard bits. Where the span has
+  /// more bits than a fit takes, the values lack the lowest `lacking` bits as well. The error that this makes is below
+  /// 2^-22 of the span anywhere in a picture.
+  void affine(int log2_size, int fraction, std::array<std::int32_t, 3>& values, std::uint32_t& base,
+              std::uint32_t& lacking) const {
+    const int to_format = log2_size + fraction - unit_bits, to_values = to_format - (32 - affine_bits);
+    const int surplus = std::max(0, bit_count(span) + to_values - affine_bits);
+    for (unsigned i = 0; i < 3; ++i) values[i] = signed_word(shifted(above[i], to_values - surplus));
+    base = scaled(least, to_format);
+    lacking = word(surplus);
   }
 
   /// Values of the coordinate times w. The coordinate is first reduced by whole textures and scaled into [1/4, 3/4],
@@ -52,16 +55,18 @@ struct Axis {
                    std::array<std::int32_t, 3>& values, std::uint32_t& base, std::uint32_t& shift) const {
     const int to_format = log2_size + fraction - unit_bits;
     const std::uint32_t first = word(least) & ((1u << unit_bits) - 1);
+    // Spans of 1,024 textures and more lack the lowest bits, so that sums fit a word.
+    const int dropped = span >= (1u << 30) - first ? 3 : 0;
+    const auto from_whole = [&](std::uint32_t over) { return (over >> dropped) + (first >> dropped); };
     // 2^exponent holds twice that span.
-    const int exponent = std::clamp(bit_count(span + first) + 1, unit_bits + 2, 31);
+    const int exponent = std::clamp(bit_count(from_whole(span)) + dropped + 1, unit_bits + 2, 34);
     for (unsigned i = 0; i < 3; ++i) {
-      const std::uint32_t value = above[i] + first;
-      const std::uint32_t share = quarter + (exponent > 30 ? value >> 1 : value << (30 - exponent));
+      const std::uint32_t share = quarter + shifted(from_whole(above[i]), 30 - exponent + dropped);
       values[i] = signed_word((multiply_high(word(w[i]) << 8, share) + 32) >> 6);
     }
     shift = word(30 - exponent - to_format);
     const std::int32_t whole = least - signed_word(first);
-    base = scaled(whole, to_format) - scaled(1 << (exponent - 2), to_format);
+    base = scaled(whole, to_format) - scaled(1, exponent - 2 + to_format);
   }
 };
 
@@ -85,8 +90,8 @@ TexturePlaneValues texture_plane_values(const std::array<TextureVertex, 3>& corn
   if (mapping == TextureMapping::affine || level) {
     values.way = TexturePlane::Way::affine;
     values.bits = affine_bits;
-    s.affine(scale.log2_width, scale.fraction_u, values.u, values.base_u);
-    t.affine(scale.log2_height, scale.fraction_v, values.v, values.base_v);
+    s.affine(scale.log2_width, scale.fraction_u, values.u, values.base_u, values.shift_u);
+    t.affine(scale.log2_height, scale.fraction_v, values.v, values.base_v, values.shift_v);
     return values;
   }
   values.way = TexturePlane::Way::blocks;

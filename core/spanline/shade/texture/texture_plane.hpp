@@ -47,6 +47,7 @@ struct TexturePlaneValues {
   std::array<std::int32_t, 3> w, u, v;
   int bits;                      ///< size of the values
   std::uint32_t base_u, base_v;  ///< to be added to u and v
+  /// As those of TexturePlane. For affine planes, the number of low bits that the values lack.
   std::uint32_t shift_u, shift_v;
   TexturePlane::Way way;
 };
@@ -55,7 +56,7 @@ struct TexturePlaneValues {
 /// fraction bits, both modulo 2^32.
 struct TexelScale {
   int log2_width, log2_height;
-  int fraction_u, fraction_v;  ///< [16, 24]
+  int fraction_u, fraction_v;  ///< [9, 24]
 };
 
 /// The values for a triangle with these corners.
@@ -74,6 +75,8 @@ void fit_texture_plane(const Gradients& gradients, const TexturePlaneValues& val
   plane.origin = static_cast<std::int16_t>(gradients.origin());
   plane.way = values.way;
   if (values.way == TexturePlane::Way::affine) {
+    plane.u = plane.u.shifted_left(values.shift_u);
+    plane.v = plane.v.shifted_left(values.shift_v);
     plane.u.at_origin += values.base_u;
     plane.v.at_origin += values.base_v;
     return;
