@@ -186,10 +186,10 @@ class Baseline:
         print(f"{program}: passes in {taken:.1f} s of processor time", flush=True)
 
 
-def read_table(name):
+def read_table(name, stale=None):
     """The mutations of a table, each with its reason. An entry is `path`, `line`, `changed line`, `reason`, one a line,
-    with a blank line behind."""
-    listed = {}
+    with a blank line behind. What is about lines that are gone is left out, and goes to `stale`."""
+    listed, stale = {}, [] if stale is None else stale
     entries = "\n".join(line for line in (HERE / name).read_text().splitlines() if not line.startswith("#")).split("\n\n")
     tree = the_tree()
     for entry in filter(None, (entry.strip("\n") for entry in entries)):
@@ -197,10 +197,19 @@ def read_table(name):
         if not reason:
             raise Failure(f"{name}: an entry without a reason: {text}")
         source = (tree / path).read_text() if (tree / path).is_file() else ""
-        if text not in (line.strip() for line in source.splitlines()):
-            raise Failure(f"{name}: {path} has no line {text!r} any more")
+        if text not in places.texts(source):
+            stale.append(f"{name}: {path} has no line {text!r} any more")
+            continue
         listed[path, text, changed] = " ".join(reason)
     return listed
+
+
+def stale_entries():
+    """Entries of the tables about lines that are gone."""
+    stale = []
+    for name in ("named.txt", "equivalents.txt"):
+        read_table(name, stale)
+    return stale
 
 
 def key(mutation):
@@ -376,6 +385,8 @@ def main():
     if arguments.record:
         RECORD.write_text(text)
     alive = [mutation for mutation, verdict in named if verdict.state != "killed"]
+    if stale := stale_entries():
+        sys.exit("mutate.py: " + "\nmutate.py: ".join(stale))
     if alive:
         sys.exit("mutate.py: named mutants live:\n" + "\n".join(listed(alive)))
     if 100 * draw.share() < arguments.least:

@@ -25,7 +25,7 @@ MOST_A_LINE = 3  # of constants: tables are not the whole of core
 @dataclass(frozen=True)
 class Mutation:
     path: str  # from the repository's root
-    text: str  # the line, without blanks around it
+    text: str  # the line, without blanks around it and without a comment behind it
     nth: int  # of the lines of the file that read so, counted from 0
     column: int  # in `text`
     before: str
@@ -45,7 +45,7 @@ class Mutation:
 
     def line_in(self, source):
         """The number of its line in a source, counted from 1; None if it is not there."""
-        found = [i for i, line in enumerate(source.splitlines(), 1) if line.strip() == self.text]
+        found = [i for i, text in enumerate(texts(source), 1) if text == self.text]
         return found[self.nth] if self.nth < len(found) else None
 
     def applied_to(self, source):
@@ -58,6 +58,12 @@ class Mutation:
 def blanked(source):
     """The source with blanks in the place of texts, comments and attributes."""
     return QUIET.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), source)
+
+
+def texts(source):
+    """The lines of a source without blanks around them and without comments behind them."""
+    return [line[: len(code.rstrip())].strip() if code.strip() else ""
+            for line, code in zip(source.splitlines(), blanked(source).splitlines())]
 
 
 def compiled_lines(source):
@@ -108,8 +114,8 @@ def after(kind, token, suffix, odd):
 def places_in(path, source):
     """Every mutation of one source."""
     found, seen = [], {}
-    for line, code, compiled in zip(source.splitlines(), blanked(source).splitlines(), compiled_lines(source)):
-        text = line.strip()
+    lines = zip(source.splitlines(), texts(source), blanked(source).splitlines(), compiled_lines(source))
+    for line, text, code, compiled in lines:
         nth = seen.get(text, 0)
         seen[text] = nth + 1
         if not compiled or SKIPPED_LINES.match(code):

@@ -44,6 +44,11 @@ class Places(unittest.TestCase):
         self.assertEqual(second.applied_to("c();\n" + source), "c();\na = 0;\nb();\na = 1;\n")
         self.assertIsNone(second.line_in("a = 0;\n"))
 
+    def test_a_mutation_outlives_the_comment_behind_its_line(self):
+        found, = places.places_in("core/spanline/math/a.hpp", "a = 0;  // as before\n")
+        self.assertEqual(found.text, "a = 0;")
+        self.assertEqual(found.applied_to("a = 0;  // 0 is nothing\n"), "a = 1;  // 0 is nothing\n")
+
     def test_the_draw_depends_on_the_seed_alone(self):
         found = places.places_in("core/spanline/math/a.hpp", "a = b < c;\nd = e < f;\ng = h < i;\n")
         forth, back = (places.in_order(listed, 5, 2) for listed in (found, found[::-1]))
