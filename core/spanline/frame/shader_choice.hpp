@@ -96,7 +96,8 @@ template <class Shader, class Format>
 }
 
 /// Whether no shader of the library can draw a surface. Relief works only with the group's own lights and without a
-/// solid, and an opacity that varies works with neither relief, solids nor local light.
+/// solid, an opacity that varies works neither with relief nor with solids, and vertex opacities do not work with local
+/// light.
 [[nodiscard]] constexpr bool is_mixture(const SurfaceNeeds& needs) {
   if (needs.relief && (needs.volume || needs.local_light)) return true;
   return (needs.varies && (needs.relief || needs.volume)) || (needs.opacity_a_vertex && needs.local_light);

@@ -15,23 +15,24 @@
 
 namespace spanline {
 
-/// How the world comes to the screen.
+/// How the world is projected to the screen.
 enum class Projection : std::uint8_t {
-  perspective,   ///< what is farther away is smaller
-  orthographic,  ///< everything at one scale
+  perspective,   ///< distant things appear smaller
+  orthographic,  ///< everything appears at the same scale
 };
 
-/// The eye: right-handed, y up, looking along −z of its own axes, as in OpenGL.
+/// The camera of a frame: right-handed, y up, looking along −z of its own axes, as in OpenGL.
 ///
 /// Depth is (2ᴺ − 1)·(a + b/z) with a = f/(f − n), b = −f·n/(f − n) for a perspective view (Munzner, CPSC 314 week 9,
-/// "Depth Test Precision"), and (2ᴺ − 1)·(z − n)/(f − n) for an orthographic one; z is the distance along the axis of
-/// view.
+/// "Depth Test Precision"), and (2ᴺ − 1)·(z − n)/(f − n) for an orthographic one; z is the distance along the viewing
+/// axis.
 struct Camera {
   Projection projection = Projection::perspective;  ///< perspective by default
-  Position eye{};   ///< where it is: world units, Q16.16, (−32768, 32768); the origin by default
-  Rotation axes{};  ///< rows of Q2.30: right, up, backwards (towards the viewer), world space; the world's by default
-  /// Perspective: focal length in pixels, (height / 2) / tan(fov / 2). Orthographic: pixels a world unit. Q16.16,
-  /// above 0, and every positive value will do; 240 by default, which is 53° over 240 lines.
+  Position eye{};  ///< position: world units, Q16.16, (−32768, 32768); the origin by default
+  Rotation
+      axes{};  ///< rows of Q2.30 in world space: right, up, backwards (towards the viewer); the world's axes by default
+  /// Perspective: focal length in pixels, (height / 2) / tan(fov / 2). Orthographic: pixels a world unit. Q16.16, any
+  /// value above 0; 240 by default, which is 53° over 240 lines.
   Q16_16 focal = Q16_16::from_int(240);
   Q16_16 near_plane = Q16_16::from_ratio(1, 10);  ///< world units, < far_plane; > 0 for perspective; 0.1 by default
   Q16_16 far_plane = Q16_16::from_int(100);       ///< world units, (near_plane, 32768); 100 by default

@@ -12,10 +12,10 @@
 
 namespace spanline {
 
-/// Which polygons are left out by the sign of their area on screen. Front faces are counter-clockwise.
+/// Which polygons are not drawn, by the sign of their area on screen. Front faces are counter-clockwise.
 enum class Cull : std::uint8_t {
-  back,   ///< those that show their back
-  front,  ///< those that show their front
+  back,   ///< back faces
+  front,  ///< front faces
   none,   ///< none
 };
 

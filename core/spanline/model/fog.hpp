@@ -16,19 +16,20 @@
 
 namespace spanline {
 
-/// How fog thickens with the distance along the axis of view, between its start and its end.
+/// How fog grows with the distance along the viewing axis, from its start to its end.
 enum class FogCurve : std::uint8_t {
   none,         ///< no fog
-  linear,       ///< evenly
-  exponential,  ///< by a sixth of the way it halves what is left to be seen, scaled so that nothing is left at the end
+  linear,       ///< linearly
+  exponential,  ///< visibility halves every sixth of the way, scaled so that it is 0 at the end
 };
 
-/// Fog of a frame. The background is not fogged: it should have the fog's colour.
+/// Fog of a frame. The background is not fogged, so it should have the fog's colour.
 struct Fog {
-  FogCurve curve = FogCurve::none;   ///< none by default
-  Q16_16 start{};                    ///< nothing is fogged up to here: world units from the eye, [0, end); 0 by default
-  Q16_16 end = Q16_16::from_int(1);  ///< nothing is seen from here on: world units, (start, 32768); 1 by default
-  Rgb888 colour{};                   ///< white by default
+  FogCurve curve = FogCurve::none;  ///< none by default
+  Q16_16 start{};  ///< distance up to which there is no fog: world units from the eye, [0, end); 0 by default
+  Q16_16 end =
+      Q16_16::from_int(1);  ///< distance from which only fog is visible: world units, (start, 32768); 1 by default
+  Rgb888 colour{};          ///< white by default
 };
 
 }  // namespace spanline

@@ -19,43 +19,44 @@
 
 namespace spanline {
 
-/// How a surface is lit. The renderer's type lists which of these it links (frame/renderer.hpp); asking for another is
-/// a Status.
+/// How a surface is lit. The renderer's list of shaders says which modes it supports (frame/renderer.hpp); a material
+/// with another mode is refused by a Status.
 enum class ShadingMode : std::uint8_t {
-  flat,     ///< one intensity a polygon, from its normal
+  flat,     ///< one intensity for each polygon, from its normal
   gouraud,  ///< intensity interpolated between the vertices; with vertex colours, the colour too
 };
 
-/// How a texel Ct and the lit surface colour Cf make the pixel (lecture 004, texture functions; OpenGL's glTexEnv).
+/// How a texel Ct and the lit surface colour Cf combine into the pixel (lecture 004, texture functions; OpenGL's
+/// glTexEnv).
 enum class TextureFunction : std::uint8_t {
   modulate,  ///< Ct·Cf
-  replace,   ///< Ct: no light
-  decal,     ///< Ct where the texel is there, Cf where it is not
+  replace,   ///< Ct, without light
+  decal,     ///< a mix of Ct and Cf by the texel's alpha
   blend,     ///< Cf·(1 − Ct) + blend colour·Ct, channel by channel
 };
 
-/// How a texture is read between its texels.
+/// How a texture is sampled between the centres of its texels.
 enum class TextureFilter : std::uint8_t {
-  nearest,   ///< the texel that is nearest
-  bilinear,  ///< a mean of the four around, weighed by nearness
+  nearest,   ///< the nearest texel
+  bilinear,  ///< the mean of the four nearest texels, weighted by nearness
 };
 
-/// What the alpha of texels does to surfaces that are modulated, replaced or blended; decals mix by it.
+/// What the alpha of texels does, except with TextureFunction::decal, which mixes colours by it.
 enum class TexelAlpha : std::uint8_t {
-  cut_out,  ///< texels are there, or they are not
-  blend,    ///< it multiplies the surface's opacity: for renderers with a `TranslucentShader` that is seen through
+  cut_out,  ///< each texel is either drawn or left out
+  blend,    ///< it multiplies the surface's opacity; needs a see-through `TranslucentShader`
 };
 
-/// How texture coordinates run over a polygon on screen.
+/// How texture coordinates are interpolated over a polygon on screen.
 enum class TextureMapping : std::uint8_t {
-  perspective,  ///< as they should; polygons so small or so level that it makes no difference are drawn affine
-  affine,       ///< linear over the screen: cheaper, and wrong where the depth of a polygon varies
+  perspective,  ///< in correct perspective; polygons for which it makes no visible difference are drawn affine
+  affine,       ///< linearly on screen: cheaper, and distorted where the depth of a polygon varies
 };
 
 /// Whether a texture's mip levels are used.
 enum class MipMapping : std::uint8_t {
-  none,     ///< level 0
-  polygon,  ///< one level a polygon
+  none,     ///< level 0 only
+  polygon,  ///< one level for each polygon
   span,     ///< one level for each 16 columns of a row
 };
 
@@ -66,54 +67,55 @@ enum class TextureCoordinates : std::uint8_t {
                ///< them from far away (environment mapping, lecture 004; OpenGL's GL_SPHERE_MAP)
 };
 
-/// How a texture is laid on a surface.
+/// How a texture is applied to a surface.
 struct Texturing {
   const Texture* texture = nullptr;                           ///< null: none; must stay until the frame is drawn
   TextureFunction function = TextureFunction::modulate;       ///< modulate by default
   TextureFilter filter = TextureFilter::nearest;              ///< nearest by default
   TextureMapping mapping = TextureMapping::perspective;       ///< perspective by default
   MipMapping mip_mapping = MipMapping::none;                  ///< none by default
-  TexelAlpha alpha = TexelAlpha::cut_out;                     ///< cut_out by default; of formats with alpha alone
+  TexelAlpha alpha = TexelAlpha::cut_out;                     ///< cut_out by default; only for formats with alpha
   Rgb888 blend_colour{};                                      ///< of TextureFunction::blend; white by default
   TextureCoordinates coordinates = TextureCoordinates::mesh;  ///< the mesh's own by default
 
-  /// Whether a mesh has what its coordinates are made of.
+  /// Whether a mesh has the data from which its texture coordinates are made.
   [[nodiscard]] bool lies_on(const Mesh& mesh) const {
     return texture != nullptr &&
            !(coordinates == TextureCoordinates::mesh ? mesh.texture_coordinates.empty() : mesh.vertex_normals.empty());
   }
 };
 
-/// Whether the texture has an alpha that tells what of the surface is there; a decal is mixed by it instead.
+/// Whether the texture's alpha says which parts of the surface are drawn. With a decal it mixes colours instead.
 [[nodiscard]] constexpr bool has_alpha(const Texturing& texturing) {
   return texturing.texture->has_alpha() && texturing.function != TextureFunction::decal;
 }
 
 /// How a surface that is not opaque shows what lies behind it.
 enum class Transparency : std::uint8_t {
-  blend,        ///< layers in their order of depth, each over what lies behind it: C' = αC + (1 − α)B
-  add,          ///< α of the colour added to what lies behind, as light: glows. Never opaque
-  screen_door,  ///< opaque at a share α of the pixels, by an 8 × 8 pattern (shade/stipple.hpp); depth-tested, no order
+  blend,        ///< layers are sorted by depth and each is blended over what lies behind it: C' = αC + (1 − α)B
+  add,          ///< α times the colour is added to what lies behind, for glows; such surfaces are never opaque
+  screen_door,  ///< opaque at a share α of the pixels, by an 8 × 8 pattern (shade/layer/stipple.hpp); depth-tested,
+                ///< unsorted
   stochastic,   ///< the same by random patterns, for pictures that average several samples a pixel
 };
 
-/// What a surface looks like. Colours of the mesh, where it has them, replace `colour`.
+/// What a surface looks like. If the mesh has colours, they replace `colour`.
 struct Material {
   Rgb888 colour{};                          ///< white by default
   ShadingMode shading = ShadingMode::flat;  ///< flat by default
-  Texturing texturing{};                    ///< of meshes that it lies on; others are drawn without
-  TextureMatrix texture_matrix{};           ///< changes the mesh's texture coordinates; leaves them by default
-  std::uint8_t opacity = 255;  ///< α in 255ths, 0 … 255, 255 by default; blending rounds it to 32nds, patterns to 64ths
+  Texturing texturing{};                    ///< ignored for meshes without the data for its coordinates
+  TextureMatrix texture_matrix{};           ///< transforms the mesh's texture coordinates; the identity by default
+  std::uint8_t opacity = 255;  ///< α in 255ths, 255 by default; blending rounds it to 32nds, patterns to 64ths
   Transparency transparency = Transparency::blend;  ///< blend by default
-  /// Where it is false, colours and textures are shown as they are: the frame's lights, highlights and relief do
-  /// nothing to the surface, and its normals are not looked at. True by default.
+  /// If false, colours and textures are shown unchanged: the frame's lights, highlights and relief do not affect the
+  /// surface, and its normals are not read. True by default.
   bool lit = true;
-  /// What the surface adds to its lit colour where it mirrors a light: specular · Σ intensity · (R·V)^shininess
-  /// (lecture 003); black, the default: nothing. For renderers with `LocalFlatShader` (shade/local_flat.hpp).
+  /// The colour of highlights: specular · Σ intensity · (R·V)^shininess is added to the lit colour (lecture 003).
+  /// Black, the default, means none. For renderers with `LocalFlatShader` (shade/light/local_flat.hpp).
   Rgb888 specular{0, 0, 0};
   std::uint8_t shininess = 32;  ///< the exponent of highlights, [1, 128]; 32 by default
   Volume volume{};              ///< for renderers with `VolumeShader`; none by default
-  Relief relief{};  ///< of meshes with texture coordinates; for renderers with `ReliefShader`; none by default
+  Relief relief{};  ///< for meshes with texture coordinates and renderers with `ReliefShader`; none by default
 
   /// Whether it has highlights.
   [[nodiscard]] constexpr bool shines() const { return lit && !(specular == Rgb888{0, 0, 0}); }

@@ -33,18 +33,18 @@ struct Vertex16 {
   std::int16_t z;  ///< steps
 };
 
-/// The wide form, for scenes that 65,536 steps cannot span; |coordinate| ≤ 2^30.
+/// A vertex with 32-bit coordinates, for scenes that 65,536 steps cannot span; |coordinate| ≤ 2^30.
 struct Vertex32 {
   std::int32_t x;  ///< steps of the mesh, [−2^30, 2^30]
   std::int32_t y;  ///< steps
   std::int32_t z;  ///< steps
 };
 
-/// A unit normal in 32 bits: x, y, z as 10-bit signed numbers with 9 fraction bits (511 stands for 1), at bits 31…22,
-/// 21…12 and 11…2. Each component comes out by one or two shifts.
+/// A unit normal in 32 bits: x, y and z as signed 10-bit numbers in bits 31…22, 21…12 and 11…2, where 511 stands for 1.
+/// One or two shifts extract a component.
 class PackedNormal {
  public:
-  /// No direction: no light falls on it.
+  /// The null normal, on which no light falls.
   constexpr PackedNormal() = default;
   /// Components in [−511, 511], 511 times those of the unit vector.
   constexpr PackedNormal(int x, int y, int z)
@@ -63,13 +63,13 @@ class PackedNormal {
   std::uint32_t bits_ = 0;
 };
 
-/// A sphere around every vertex, in steps of the mesh and without its offset, as the vertices themselves.
+/// A sphere that encloses every vertex, in steps of the mesh; like the vertices, it does not include the mesh's offset.
 struct BoundingSphere {
   Vec3<std::int32_t> centre{};  ///< steps, [−2^30, 2^30]; the mesh's origin by default
   std::uint32_t radius = 0;     ///< steps, rounded up; at most 2^31 − 1; 0 by default
 };
 
-/// A mesh as views over read-only tables, in flash as a rule. It owns nothing; `validate()` checks it once at load.
+/// A mesh as views over read-only tables, usually in flash. It owns nothing; `validate()` checks it once at load.
 ///
 /// Polygons are triangles, or planar convex polygons of 3 … 8 corners, counter-clockwise when seen from the front.
 /// A polygon of n corners is drawn as the fan of triangles (0,1,2), (0,2,3) …, which are numbered in that order.
@@ -79,7 +79,7 @@ struct Mesh {
   static constexpr std::size_t max_polygons = 32767;  ///< in the table
 
   std::span<const Vertex16> vertices{};       ///< the vertices, or empty if `wide_vertices` holds them
-  std::span<const Vertex32> wide_vertices{};  ///< the vertices in their wide form, or empty
+  std::span<const Vertex32> wide_vertices{};  ///< the vertices with 32-bit coordinates, or empty
   std::span<const std::uint16_t> indices{};   ///< corner indices, polygon after polygon
   std::span<const std::uint8_t> corners{};    ///< corners of each polygon; empty: all are triangles
 
@@ -88,40 +88,40 @@ struct Mesh {
   std::span<const Rgb888> polygon_colours{};                 ///< one a polygon; empty: the material's colour
   std::span<const Rgb888> vertex_colours{};                  ///< one a vertex; empty: the material's colour
   std::span<const TextureCoordinate> texture_coordinates{};  ///< one a vertex; empty: never textured
-  std::span<const std::uint8_t> vertex_opacities{};  ///< one a vertex, 255ths of the material's; empty: all of it
+  std::span<const std::uint8_t> vertex_opacities{};  ///< one a vertex, 255ths of the material's opacity; empty: all 255
 
   Vec3<std::int32_t> offset{};         ///< steps, added to every vertex; |component| ≤ 2^30
-  std::int8_t step_exponent = -13;     ///< world units a step are 2^step_exponent; [−30, 14]
+  std::int8_t step_exponent = -13;     ///< a step is 2^step_exponent world units; [−30, 14]
   std::int8_t texture_exponent = -14;  ///< a unit of texture coordinates is 2^texture_exponent textures; [−20, −5]
-  BoundingSphere bounds{};             ///< around all vertices: what is out of view is told by it alone
+  BoundingSphere bounds{};             ///< encloses all vertices; it alone decides whether the mesh is out of view
 
-  /// Vertices of whichever table there is.
+  /// Number of vertices, in whichever table holds them.
   [[nodiscard]] constexpr std::size_t vertex_count() const {
     return vertices.empty() ? wide_vertices.size() : vertices.size();
   }
-  /// Vertex `number` of whichever table there is.
+  /// Vertex `number`, from whichever table holds it.
   [[nodiscard]] constexpr Vertex32 vertex(std::size_t number) const {
     if (vertices.empty()) return wide_vertices[number];
     const Vertex16 v = vertices[number];
     return {v.x, v.y, v.z};
   }
-  /// Polygons, whatever their corners.
+  /// Number of polygons.
   [[nodiscard]] constexpr std::size_t polygon_count() const {
     return corners.empty() ? indices.size() / 3 : corners.size();
   }
-  /// Where a polygon's corners begin in `indices`, and how many there are. Among polygons of several sizes it counts
-  /// its way there.
+  /// Index in `indices` of a polygon's first corner. In a mesh with a table of corner counts it adds up the counts of
+  /// all polygons before.
   [[nodiscard]] constexpr std::size_t first_corner(std::size_t polygon) const {
     if (corners.empty()) return polygon * 3;
     std::size_t first = 0;
     for (std::size_t i = 0; i < polygon; ++i) first += corners[i];
     return first;
   }
-  /// Corners of a polygon.
+  /// Number of corners of a polygon.
   [[nodiscard]] constexpr unsigned corner_count(std::size_t polygon) const {
     return corners.empty() ? 3 : corners[polygon];
   }
-  /// Triangles of all fans: the numbers that polygon ids count.
+  /// Number of triangles of all fans; polygon ids count these.
   [[nodiscard]] constexpr std::size_t triangle_count() const {
     return corners.empty() ? indices.size() / 3 : indices.size() - 2 * corners.size();
   }

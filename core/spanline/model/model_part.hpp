@@ -18,10 +18,10 @@
 
 namespace spanline {
 
-/// A piece of a model with a material of its own, as `spanline convert --materials` writes them: an array of these is a
-/// model.
+/// A piece of a model with its own material, as `spanline convert --materials` writes them. A model is an array of
+/// these.
 struct ModelPart {
-  const Mesh* mesh = nullptr;  ///< must stay until the frame is drawn; null by default, which no renderer takes
+  const Mesh* mesh = nullptr;  ///< must stay valid until the frame is drawn; no renderer accepts null, the default
   Material material{};         ///< of the whole mesh
 };
 
@@ -39,7 +39,7 @@ struct ModelPart {
   return part;
 }
 
-/// The part with highlights, for renderers with `LocalFlatShader` in their lists.
+/// The same part with highlights, for renderers with `LocalFlatShader` in their lists.
 [[nodiscard]] constexpr ModelPart shining(ModelPart part, Rgb888 specular, std::uint8_t shininess) {
   part.material.specular = specular;
   part.material.shininess = shininess;

@@ -15,19 +15,19 @@
 
 namespace spanline {
 
-/// Polygons of a mesh that follow one another, and where they stand in its tables.
+/// Consecutive polygons of a mesh, and their places in its tables.
 struct PolygonRange {
   std::uint32_t first = 0;           ///< number of the first polygon, [0, the mesh's polygons)
-  std::uint32_t count = 0;           ///< polygons
-  std::uint32_t first_index = 0;     ///< where the first polygon's indices begin in `Mesh::indices`
-  std::uint32_t first_triangle = 0;  ///< number of the first polygon's first triangle, all polygons counted as fans
+  std::uint32_t count = 0;           ///< number of polygons
+  std::uint32_t first_index = 0;     ///< index in `Mesh::indices` of the first polygon's first corner
+  std::uint32_t first_triangle = 0;  ///< number of the first polygon's first triangle, with polygons divided into fans
 
   /// All polygons of a mesh.
   [[nodiscard]] static constexpr PolygonRange whole(const Mesh& mesh) {
     return {0, static_cast<std::uint32_t>(mesh.corners.empty() ? mesh.indices.size() / 3 : mesh.corners.size()), 0, 0};
   }
-  /// `polygon_count` polygons from number `first_polygon` on. Where polygons have numbers of corners of their own it
-  /// counts those before them: for tables that are made once.
+  /// `polygon_count` polygons from number `first_polygon` on. In a mesh with a table of corner counts it adds up the
+  /// counts of all polygons before, so ranges should be made once and kept.
   [[nodiscard]] static constexpr PolygonRange of(const Mesh& mesh, std::uint32_t first_polygon,
                                                  std::uint32_t polygon_count) {
     PolygonRange range{first_polygon, polygon_count, 3 * first_polygon, first_polygon};
@@ -39,7 +39,7 @@ struct PolygonRange {
     }
     return range;
   }
-  /// The range's triangles, polygons counted as their fans.
+  /// Number of triangles in the range, with polygons divided into fans.
   [[nodiscard]] constexpr std::uint32_t triangle_count(const Mesh& mesh) const {
     if (mesh.corners.empty()) return count;
     std::uint32_t triangles = 0;

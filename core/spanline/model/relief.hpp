@@ -19,7 +19,7 @@
 
 namespace spanline {
 
-/// Heights over a surface: 2^log2_width × 2^log2_height bytes, row by row from the top, repeated both ways.
+/// Heights of a surface: 2^log2_width × 2^log2_height bytes, row by row from the top, repeated both ways.
 struct HeightMap {
   static constexpr unsigned max_log2_size = 11;  ///< of a side
   std::uint8_t log2_width = 0;                   ///< 0 … max_log2_size; 0 by default, a single texel
@@ -33,27 +33,27 @@ struct HeightMap {
   }
 };
 
-/// How heights turn the normal that light falls on (lecture 004).
+/// How heights change the normal by which the surface is lit (lecture 004).
 enum class ReliefKind : std::uint8_t {
   bump,    ///< by the slope of the heights (Blinn 1978)
-  emboss,  ///< by an angle, towards the light or away from it, where the heights step
+  emboss,  ///< by a fixed angle towards or away from the light, at steps of the heights
 };
 
-/// A relief that is seen by its light alone: outlines and depths stay those of the polygons.
+/// A relief that changes only the light: outlines and depths stay those of the polygons.
 ///
-/// At texture coordinates in texels of the map, with T and B the unit vectors along s and t on the surface:
+/// With texture coordinates u, v in texels of the map, and unit vectors T and B along s and t on the surface:
 ///
 ///     bump:    light = ambient + max(0, (N − p·T − q·B)·L / √(1 + p² + q²)),
 ///              p = depth · (h(u + 1, v) − h(u − 1, v)) / 2 and q alike along v, both within ±2
 ///     emboss:  the step is h(u, v) less h a texel on towards the light; where it is more than 1/32 either way,
 ///              N turns by `turn` towards L or away from it
 ///
-/// with h in [0, 1]. L is the sum of the frame's directional lights, so that several act as the one that they add up
-/// to.
+/// with h in [0, 1]. L is the sum of the frame's directional lights, so several lights act as the one to which they add
+/// up.
 struct Relief {
   const HeightMap* heights = nullptr;  ///< null: none; must stay until the frame is drawn
   ReliefKind kind = ReliefKind::bump;  ///< bump by default
-  /// Bump: what the greatest height stands for, texels, Q16.16, (0, 64]; 1 by default.
+  /// Bump: the height that 255 stands for, texels, Q16.16, (0, 64]; 1 by default.
   Fixed<16> depth = Fixed<16>::from_int(1);
   Angle turn = Angle::from_degrees(40);  ///< emboss: (0°, 90°); 40° by default
 };

@@ -14,20 +14,21 @@
 
 namespace spanline {
 
-/// A texel of any format.
+/// A texel as colour and alpha, whatever the texture's format.
 struct Texel {
   std::uint16_t rgb565;  ///< its colour
   std::uint8_t alpha;    ///< 0 … 15
 };
 
-/// Channels of 4 bits widened to RGB565 by repeating their upper bits.
+/// Widens channels of 4 bits to RGB565 by repeating their upper bits.
 [[nodiscard]] constexpr std::uint16_t rgb565_from_rgb444(std::uint32_t word) {
   const std::uint32_t red = (word >> 8) & 15, green = (word >> 4) & 15, blue = word & 15;
   return static_cast<std::uint16_t>((red << 1 | red >> 3) << 11 | (green << 2 | green >> 2) << 5 |
                                     (blue << 1 | blue >> 3));
 }
 
-/// Reads a valid texture of any format, in a level that begins at `offset` of its table; x and y inside it.
+/// Reads texel (x, y) of a level that begins at `offset` of the texture's table. The texture must be valid, of any
+/// format, and x and y must lie inside the level.
 [[nodiscard]] constexpr Texel read_texel(const Texture& texture, std::size_t offset, unsigned log2_width,
                                          std::uint32_t x, std::uint32_t y) {
   constexpr std::uint8_t opaque = 15;

@@ -10,10 +10,10 @@
 
 namespace spanline {
 
-/// Where an instance stands: world = translation + scale · (rotation · model). One scale for all axes keeps normals
-/// normal; the converter bakes other scales into the mesh.
+/// The place of an instance: world = translation + scale · (rotation · model). A single scale for all axes keeps
+/// normals perpendicular to their surfaces; the converter applies other scales to the mesh.
 struct Transform {
-  Rotation rotation{};                       ///< rows of Q2.30, orthonormal; none by default
+  Rotation rotation{};                       ///< rows of Q2.30, orthonormal; the identity by default
   Fixed<24> scale = Fixed<24>::from_int(1);  ///< Q8.24, (0, 128); 1 by default
   Position translation{};                    ///< world units, Q16.16, (−32768, 32768); none by default
 };

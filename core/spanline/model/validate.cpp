@@ -53,7 +53,8 @@ MeshReport check_vertices(std::span<const Vertex> vertices, const BoundingSphere
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Vertex& v = vertices[i];
     if (!in_range(v.x) || !in_range(v.y) || !in_range(v.z)) return fault(MeshFault::vertex_out_of_range, i);
-    // Differences stay below 2^32; a component beyond the radius is outside at once, so squares fit 64 bits.
+    // Differences are below 2^32. A component beyond the radius is outside without squaring, so that squares fit 64
+    // bits.
     std::uint64_t rest = radius * radius;
     for (const std::int64_t d :
          {static_cast<std::int64_t>(v.x) - bounds.centre.x, static_cast<std::int64_t>(v.y) - bounds.centre.y,

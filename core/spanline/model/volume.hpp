@@ -18,12 +18,12 @@
 
 namespace spanline {
 
-/// A solid as a table: a cube of 2^log2_size cells a side, x fastest, then y, then z, repeated along all three.
+/// A solid as a table: a cube of 2^log2_size cells a side, x fastest, then y, then z, repeated along all three axes.
 struct VolumeTexture {
   static constexpr unsigned max_log2_size = 7;  ///< of a side
   std::uint8_t log2_size = 0;                ///< of a side in cells, 0 … max_log2_size; 0 by default, a single cell
-  std::span<const std::uint8_t> cells{};     ///< numbers of colours
-  std::span<const std::uint16_t> palette{};  ///< 256 of RGB565
+  std::span<const std::uint8_t> cells{};     ///< indices into the palette
+  std::span<const std::uint16_t> palette{};  ///< 256 RGB565 colours
 
   /// Whether the side is in its range and the tables are long enough.
   [[nodiscard]] constexpr bool valid() const {
@@ -31,22 +31,22 @@ struct VolumeTexture {
   }
 };
 
-/// What says the colour of a point in a solid.
+/// What gives the colour at a point of a solid.
 enum class SolidSource : std::uint8_t {
   none,      ///< no solid: colours and textures of the surface
   table,     ///< `Volume::texture`
-  function,  ///< the function that a renderer's shader has (shade/volume.hpp)
+  function,  ///< a function that one of the renderer's shaders has (shade/pixelwise/volume.hpp)
 };
 
-/// A surface cut from a solid (volumetric texture, lecture 004): its colour is that of the solid at the point in the
-/// mesh's own space, which it keeps however the instance turns. The texture coordinates s, t, r of that point are
-/// origin + scale · 2^exponent · (x, y, z) of the mesh, world units before the instance's transform; 1 is the whole
-/// cube; below 2,048.
+/// A surface cut from a solid (volumetric texture, lecture 004): each point has the colour of the solid at its position
+/// in the mesh's own space, however the instance turns. The texture coordinates s, t, r of a point are origin + scale ·
+/// 2^exponent · (x, y, z) with (x, y, z) in world units before the instance's transform. 1 is the whole cube; |s|, |t|
+/// and |r| are below 2,048.
 struct Volume {
   SolidSource source = SolidSource::none;  ///< none by default
-  const VolumeTexture* texture = nullptr;  ///< of a table; must stay until the frame is drawn
-  Q16_16 scale = Q16_16::from_int(1);      ///< cubes a world unit, less the exponent: Q16.16; 1 by default
-  std::int8_t exponent = 0;                ///< of 2, [−30, 30]; 0 by default
+  const VolumeTexture* texture = nullptr;  ///< for SolidSource::table; must stay valid until the frame is drawn
+  Q16_16 scale = Q16_16::from_int(1);      ///< cubes a world unit before 2^exponent is applied: Q16.16; 1 by default
+  std::int8_t exponent = 0;                ///< power of two that multiplies the scale, [−30, 30]; 0 by default
   Position origin{};                       ///< s, t and r of the mesh's origin, cubes, Q16.16; 0 by default
 };
 
