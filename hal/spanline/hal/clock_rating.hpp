@@ -3,10 +3,10 @@
 
 namespace spanline::hal {
 
-/// How a bus clock stands to a panel's rating.
+/// How a bus clock compares with a panel's rating.
 enum class ClockVerdict : std::uint8_t {
-  rated,         ///< within the datasheet
-  above_rating,  ///< outside the datasheet, and known to work on common modules
+  rated,         ///< within the datasheet's limit
+  above_rating,  ///< above the datasheet's limit, but known to work on common modules
   too_high,      ///< refused
 };
 

@@ -13,9 +13,9 @@ struct CommandStep {
   std::uint32_t delay_ms;               ///< pause after the command, milliseconds
 };
 
-/// An init table is a row of bytes in flash, a record a command: the number n of bytes sent (1 .. 255), the pause
-/// afterwards in milliseconds (0 .. 255), then the n bytes. Calls `visit(CommandStep)` for each; stops at the first
-/// status that is not ok, and returns it.
+/// Reads an init table: bytes in flash, one record for each command. A record is the number n of bytes to send (1 ..
+/// 255), the pause afterwards in milliseconds (0 .. 255), and the n bytes. Calls `visit(CommandStep)` for each record,
+/// and stops at the first status that is not ok and returns it.
 template <typename Visitor>
 constexpr DisplayStatus for_each_step(std::span<const std::uint8_t> table, Visitor&& visit) {
   std::size_t at = 0;

@@ -12,27 +12,28 @@
 
 namespace spanline::hal {
 
-/// What a frame came to: what the display had to say, and what the drawing had.
+/// The result of a frame: the status of the display and that of the drawing.
 template <class Drawing>
 struct ShownFrame {
   DisplayStatus display = DisplayStatus::ok;
-  Drawing drawing{};  ///< as it is by default where the frame did not begin
+  Drawing drawing{};  ///< default value if the frame did not begin
 };
 
-/// Joins a renderer to a present loop: a sink whose buffers are the renderer's colour bands, so that finished bands go
-/// to the panel as they lie while the next ones are drawn. With a Filler, the renderer has it clear bands ahead.
+/// Connects a renderer to a present loop. Its buffers are the renderer's colour bands, so finished bands go to the
+/// panel without a copy while the next ones are drawn. With a Filler, the renderer uses it to clear bands ahead.
 ///
-/// It takes any renderer that has `colour_band(i)`, a span of 16-bit words for i = 0, 1, … and an empty one behind the
-/// last, and whose bands say `y0`, `y1`, `pixels` and `buffer`. The picture is as wide and high as the panel, and its
-/// words lie in the panel's pixel order.
+/// It works with any renderer whose `colour_band(i)` is a span of 16-bit words for i = 0, 1, … and empty after the
+/// last, and whose bands have `y0`, `y1`, `pixels` and `buffer`. The picture must have the panel's size, and its words
+/// the panel's pixel order.
 ///
-/// `show(draw)` is a whole frame: `draw(sink)` draws it, and returns whatever it has to say.
+/// `show(draw)` presents a whole frame: `draw(sink)` draws it, and its result is returned with the display's status.
 template <Panel PanelType, Clock ClockType, class FillerType = NoFiller>
 class DisplaySink {
  public:
   using Present = hal::Present<PanelType, ClockType>;
 
-  /// All of them stay with the caller and must outlive the sink. `timeout_us`: for one wait for the bus, microseconds.
+  /// All arguments stay with the caller and must outlive the sink. `timeout_us` limits each wait for the bus,
+  /// microseconds.
   template <class RendererType>
   DisplaySink(PanelType& panel, ClockType& clock, const RendererType& renderer,
               std::uint32_t timeout_us = Present::default_timeout_us)
@@ -43,7 +44,7 @@ class DisplaySink {
   auto show(Draw&& draw) {
     return show(draw, [this] { return present_.end_frame(); });
   }
-  /// The same without waiting: the next frame begins while the last bands are on their way.
+  /// The same without waiting: the next frame may begin while the last bands are still being sent.
   template <class Draw>
   auto show_and_go_on(Draw&& draw) {
     return show(draw, [this] { return present_.end_frame_early(); });
@@ -88,7 +89,7 @@ class DisplaySink {
     return frame;
   }
 
-  /// Keeps a frame's first failure, for those that leave the present loop's frame alive.
+  /// Keeps a frame's first failure, including those that do not abandon the present loop's frame.
   bool good(DisplayStatus status) {
     if (first_failure_ == DisplayStatus::ok) first_failure_ = status;
     return status == DisplayStatus::ok;

@@ -3,14 +3,15 @@
 
 namespace spanline::hal {
 
-/// What became of a HAL call. Everything but `ok` means that the call did not do what it was asked to do.
+/// The result of a HAL call. With every value but `ok` the call has not done what it was asked to do, except where a
+/// value is called a warning.
 enum class [[nodiscard]] DisplayStatus : std::uint8_t{
     ok,
-    bus_timeout,          ///< the bus did not finish a transfer in time; the frame is given up
+    bus_timeout,          ///< the bus did not finish a transfer in time; the frame is abandoned
     bus_busy,             ///< a transfer is still in flight: wait until the bus is not busy
     bus_clock_too_high,   ///< the bus clock is above what the panel's table tolerates
-    bus_clock_too_low,    ///< the divider gives less than was asked for: pictures are right and take longer
-    panel_unidentified,   ///< a warning: the panel was asked who it is, and said nothing or something else
+    bus_clock_too_low,    ///< a warning: the divider gives less than was asked for; pictures are right but take longer
+    panel_unidentified,   ///< a warning: the panel did not answer with the identity of its chip
     window_out_of_range,  ///< a window or band is empty, outside the panel, off its column grid or of another width
     buffer_too_small,     ///< the pixel buffer holds fewer pixels than the rows need
     panel_not_ready,      ///< pixels or sleep before a successful init()

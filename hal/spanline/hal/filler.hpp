@@ -4,7 +4,7 @@
 
 namespace spanline::hal {
 
-/// Hardware that fills memory with a value while the core goes on: DMA.
+/// Hardware, such as DMA, that fills memory with a value while the core continues.
 ///
 /// - `fill(value, count, words)`: starts to fill `count` words of 16 bits, which begin at a multiple of 8 bytes. Two
 ///   fills may be under way; the next call waits.
@@ -15,7 +15,7 @@ concept Filler = requires(F& filler, std::uint16_t value, std::uint16_t* words) 
   { filler.filled() } -> std::same_as<bool>;
 };
 
-/// For boards without: programs that ask for a Filler let the core do it.
+/// For boards without such hardware: programs that ask for a Filler let the core clear bands.
 struct NoFiller {};
 
 }  // namespace spanline::hal

@@ -24,7 +24,7 @@ struct Window {
   friend constexpr bool operator==(const Window&, const Window&) = default;
 };
 
-/// How the viewer holds the panel, by quarter turns from its native portrait.
+/// How the panel is held, in quarter turns from its native portrait.
 enum class Orientation : std::uint8_t { portrait, landscape, portrait_flipped, landscape_flipped };
 
 /// A display panel: a driver composed over a bus and a clock at compile time.

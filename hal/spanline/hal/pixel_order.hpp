@@ -4,13 +4,13 @@
 
 namespace spanline::hal {
 
-/// How an RGB565 pixel (red in bits 15..11, green in 10..5, blue in 4..0) lies in a 16-bit word of a band.
+/// The byte order of an RGB565 pixel (red in bits 15..11, green in 10..5, blue in 4..0) in a 16-bit word of a band.
 enum class PixelOrder : std::uint8_t {
   native,           ///< the word's value is the pixel
-  high_byte_first,  ///< the byte with red comes first in memory, as it goes over the wire
+  high_byte_first,  ///< the byte with red comes first in memory, as it is sent to the panel
 };
 
-/// The word that stands for the RGB565 value `pixel` in `order`; its own inverse.
+/// Converts an RGB565 value to a word in `order`; its own inverse.
 [[nodiscard]] constexpr std::uint16_t to_pixel_order(PixelOrder order, std::uint16_t pixel) {
   if (order == PixelOrder::native || std::endian::native == std::endian::big) return pixel;
   return static_cast<std::uint16_t>((pixel << 8) | (pixel >> 8));

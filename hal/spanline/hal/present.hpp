@@ -10,19 +10,18 @@
 
 namespace spanline::hal {
 
-/// What a present loop has done so far; counts wrap at 2^32. `last_…` describe the frame that ended last.
+/// Counts of a present loop, which wrap at 2^32. `last_…` describe the last frame that ended.
 struct PresentStatistics {
-  std::uint32_t frames = 0;           ///< frames that reached the panel whole
-  std::uint32_t frames_given_up = 0;  ///< frames that failed, at their begin or later
+  std::uint32_t frames = 0;           ///< frames that reached the panel completely
+  std::uint32_t frames_given_up = 0;  ///< frames that failed, at their start or later
   std::uint32_t bands = 0;            ///< bands handed to the panel
   std::uint32_t initialisations = 0;  ///< successful panel inits: 1, and one for each recovery or restart_panel()
   std::uint32_t last_frame_us = 0;    ///< from begin_frame (without a panel init) to end_frame, microseconds
-  std::uint32_t last_wait_us = 0;     ///< how much of that went into waiting for the bus, microseconds
+  std::uint32_t last_wait_us = 0;     ///< part of last_frame_us spent waiting for the bus, microseconds
 };
 
-/// The present loop: one band is drawn while others are on their way to the panel. Two buffers do; over a bus that
-/// queues, more of them let drawing run ahead where it is quick, for the rows where it is slow and for the next frame's
-/// geometry.
+/// The present loop: one band is drawn while others are sent to the panel. Two buffers suffice. Over a bus that queues,
+/// more buffers let drawing run ahead on quick rows, which makes up for slow rows and for the next frame's geometry.
 ///
 ///     DisplayStatus status = present.begin_frame();
 ///     for (int y = 0, index = 0; status == DisplayStatus::ok && y < height; y += band, index ^= 1) {
@@ -33,12 +32,12 @@ struct PresentStatistics {
 ///     }
 ///     status = present.end_frame();  // the frame's first failure, or ok
 ///
-/// The first frame after a panel init fills the dark panel; its end waits until it has left, and then switches the
-/// panel on. So that frame has to cover the whole panel.
+/// After a panel init the panel is dark. The first frame must cover the whole panel; its end waits until it is sent and
+/// then switches the panel on.
 ///
-/// Waiting ends after the timeout: the frame is given up, and every call returns its failure until the next
-/// begin_frame, which initialises the panel anew (reset, init table) and goes on if the bus works again. A panel that
-/// lost its power answers nothing and looks busy to nobody: programs that learn of it call restart_panel().
+/// A wait that exceeds the timeout abandons the frame, and every call returns its failure until the next begin_frame.
+/// That initialises the panel again (reset, init table) and continues if the bus works. The bus cannot notice a panel
+/// that lost its power; a program that learns of it calls restart_panel().
 template <Panel PanelType, Clock ClockType>
 class Present {
  public:
@@ -47,9 +46,9 @@ class Present {
 
   static constexpr int most_buffers = 16;
 
-  /// The buffers are the caller's, in RAM that the bus's DMA reaches; each holds the rows of the tallest band; empty
-  /// ones do not count. The timeout is for one wait and longer than the transfer of all buffers: rows × width × 16 bits
-  /// / bus clock.
+  /// The buffers are the caller's, in RAM that the bus's DMA reaches. Each holds the rows of the tallest band; empty
+  /// ones do not count. The timeout is for one wait, and must exceed the transfer time of all buffers: rows × width ×
+  /// 16 bits / bus clock.
   Present(PanelType& panel, ClockType& clock, std::span<const std::span<std::uint16_t>> buffers,
           std::uint32_t timeout_us = default_timeout_us)
       : panel_(panel), clock_(clock), timeout_us_(timeout_us) {
@@ -62,8 +61,9 @@ class Present {
           std::uint32_t timeout_us = default_timeout_us)
       : Present(panel, clock, std::array{first, second}, timeout_us) {}
 
-  /// Starts a frame; initialises the panel for the first one and after a bus timeout. `out_of_order` if a frame is
-  /// under way that has not failed; else what Panel::init returned. After a failure there is no frame.
+  /// Starts a frame, and initialises the panel before the first one and after a bus timeout. Returns `out_of_order` if
+  /// a frame is in progress that has not failed, otherwise what Panel::init returned. After a failure no frame is in
+  /// progress.
   DisplayStatus begin_frame() {
     if (in_frame_ && failure_ == DisplayStatus::ok) return DisplayStatus::out_of_order;
     if (in_frame_) count_end();
@@ -92,7 +92,7 @@ class Present {
     return buffer.number == 0 || is_free(buffer);
   }
 
-  /// Waits until a buffer, counted from 0, may be drawn into. Does not wait for others that are in flight.
+  /// Waits until a buffer, counted from 0, may be drawn into. Other buffers may still be in flight.
   DisplayStatus acquire(int index) {
     if (const DisplayStatus status = check(index); status != DisplayStatus::ok) return status;
     Buffer& buffer = buffers_[static_cast<std::size_t>(index)];
@@ -104,16 +104,16 @@ class Present {
     return DisplayStatus::ok;
   }
 
-  /// The memory of a buffer, whose words lie in the panel's pixel order; empty where there is no such buffer. Drawn
+  /// The memory of a buffer, with words in the panel's pixel order; empty if there is no such buffer. It may be drawn
   /// into only between acquire and submit.
   [[nodiscard]] std::span<std::uint16_t> buffer(int index) const {
     if (index < 0 || index >= buffer_count_) return {};
     return buffers_[static_cast<std::size_t>(index)].words;
   }
 
-  /// Hands over rows y0 .. y1 − 1, full width, from the start of an acquired buffer; waits until the panel takes them,
-  /// which without a queue is when the previous band has left. The buffer's words mean nothing afterwards.
-  /// `window_out_of_range`, `buffer_too_small` and `out_of_order` leave the frame alive; everything else gives it up.
+  /// Hands over rows y0 .. y1 − 1 in full width, from the start of an acquired buffer. Waits until the panel accepts
+  /// them; without a queue that is when the previous band has been sent. The buffer's content is undefined afterwards.
+  /// `window_out_of_range`, `buffer_too_small` and `out_of_order` do not abandon the frame; every other failure does.
   DisplayStatus submit(int y0, int y1, int index) {
     if (const DisplayStatus status = check(index); status != DisplayStatus::ok) return status;
     if (buffers_[static_cast<std::size_t>(index)].number != 0) return DisplayStatus::out_of_order;
@@ -126,7 +126,7 @@ class Present {
     if (const DisplayStatus status = panel_.write(y0, y1, buffer(index).first(count)); status != DisplayStatus::ok) {
       return give_up(status);
     }
-    if (++submitted_ == 0) ++submitted_;  // 0 says that a buffer is not in flight
+    if (++submitted_ == 0) ++submitted_;  // 0 means that a buffer is not in flight
     buffers_[static_cast<std::size_t>(index)].number = submitted_;
     ++statistics_.bands;
     return DisplayStatus::ok;
@@ -135,7 +135,7 @@ class Present {
   /// Waits for the last band and ends the frame. Returns the frame's first failure, or ok.
   DisplayStatus end_frame() {
     if (!in_frame_) return failure_ == DisplayStatus::ok ? DisplayStatus::out_of_order : failure_;
-    // A failure is in failure_.
+    // The result is ignored because a failure is kept in failure_.
     if (failure_ == DisplayStatus::ok) static_cast<void>(wait_until([&] { return !panel_.busy(); }));
     if (failure_ == DisplayStatus::ok && is_dark_) {
       const DisplayStatus status = panel_.switch_on();
@@ -146,8 +146,8 @@ class Present {
     return failure_;
   }
 
-  /// The same without waiting: the last bands leave while the next frame begins, and what becomes of them shows there.
-  /// The frame that the panel is switched on behind is waited for.
+  /// The same without waiting: the last bands are sent while the next frame begins, which then reports their failures.
+  /// It does wait for the frame after which the panel is switched on.
   DisplayStatus end_frame_early() {
     if (is_dark_) return end_frame();
     if (!in_frame_) return failure_ == DisplayStatus::ok ? DisplayStatus::out_of_order : failure_;
@@ -155,8 +155,8 @@ class Present {
     return failure_;
   }
 
-  /// The next begin_frame initialises the panel as if it were the first: for a panel that lost its power or was plugged
-  /// in again, which the bus cannot notice. Bands that are still on their way by then are abandoned.
+  /// Makes the next begin_frame initialise the panel as before the first frame, for a panel that lost its power or was
+  /// plugged in again, which the bus cannot notice. Bands still being sent then are abandoned.
   void restart_panel() { needs_init_ = true; }
 
   [[nodiscard]] const PresentStatistics& statistics() const { return statistics_; }
@@ -164,7 +164,8 @@ class Present {
  private:
   struct Buffer {
     std::span<std::uint16_t> words;
-    std::uint32_t number = 0;  ///< of its band among all that were submitted, while the bus may own it; otherwise 0
+    std::uint32_t number =
+        0;  ///< number of its band, counted over all submitted, while the bus may own it; otherwise 0
   };
 
   [[nodiscard]] DisplayStatus check(int index) const {
@@ -173,9 +174,9 @@ class Present {
     return index >= 0 && index < buffer_count_ ? DisplayStatus::ok : DisplayStatus::out_of_order;
   }
 
-  /// Whether a buffer that was submitted has left.
+  /// Whether a submitted buffer has been sent.
   [[nodiscard]] bool is_free(const Buffer& buffer) { return submitted_ - buffer.number >= bands_left(); }
-  /// Panels that know nothing of queues take a band when they are not busy.
+  /// Whether the panel accepts a band now. A panel without a queue accepts one when it is not busy.
   [[nodiscard]] bool takes(int y0) {
     if constexpr (requires { panel_.takes(y0); }) {
       return panel_.takes(y0);
@@ -221,7 +222,7 @@ class Present {
   ClockType& clock_;
   std::array<Buffer, most_buffers> buffers_{};
   int buffer_count_ = 0;
-  std::uint32_t submitted_ = 0;  ///< bands, modulo 2^32 without 0
+  std::uint32_t submitted_ = 0;  ///< number of bands submitted, modulo 2^32, skipping 0
   std::uint32_t timeout_us_;
   std::uint32_t start_us_ = 0;
   std::uint32_t wait_us_ = 0;

@@ -14,11 +14,11 @@ struct Ili9341Chip {
   static constexpr bool wired_mirrored = true;
   static constexpr bool filters_blue_first = true;
   static constexpr bool shows_complement = false;
-  static constexpr bool takes_rgb444 = false;  ///< section 8.2.33: 16 or 18 bits
+  static constexpr bool takes_rgb444 = false;  ///< section 8.2.33: 16 or 18 bits a pixel only
   /// Serial write cycle 100 ns (AC characteristics, 4-line serial interface); common modules on short wires run at 40
   /// MHz.
   static constexpr ClockRating clock_rating{.rated_hz = 10'000'000, .tolerated_hz = 40'000'000};
-  /// Read ID4 (section 8.3.23): behind a byte of nothing, version and model.
+  /// Read ID4 (section 8.3.23). The answer is a dummy byte, then version and model.
   static constexpr std::uint8_t identity_command = 0xD3;
   static constexpr std::array<std::uint8_t, 3> identity{0x00, 0x93, 0x41};
 

@@ -12,18 +12,18 @@
 
 namespace spanline::hal {
 
-/// How many bits a pixel takes on the wire.
+/// Bits of a pixel on the bus.
 enum class ColourFormat : std::uint8_t {
-  rgb565,  ///< 16 bits; bands go out as they lie in memory
-  rgb444,  ///< 12 bits: three quarters of the wire time, and a pass over each band to pack it in place
+  rgb565,  ///< 16 bits; bands are sent as they are in memory
+  rgb444,  ///< 12 bits: three quarters of the transfer time, but each band is packed in place first
 };
 
-/// What a program chooses of a panel with the MIPI display command set.
+/// A program's choices for a panel with the MIPI display command set.
 struct MipiOptions {
   Orientation orientation = Orientation::landscape;  ///< how the viewer holds it
   bool mirrored = false;                             ///< left and right exchanged, for a panel seen in a mirror
-  bool swap_red_blue = false;  ///< for modules whose colour filters lie the other way than the common ones
-  bool inverted = false;       ///< every colour as its complement
+  bool swap_red_blue = false;                        ///< for modules whose colour filters are in the opposite order
+  bool inverted = false;                             ///< shows the complement of every colour
   ColourFormat colours = ColourFormat::rgb565;
 };
 
@@ -54,27 +54,28 @@ inline constexpr std::uint8_t flip_columns = 0x40;
 inline constexpr std::uint8_t exchange = 0x20;
 inline constexpr std::uint8_t blue_first = 0x08;
 
-/// Reset low for at least 10 µs; twice that, as a board's delay may be coarse.
+/// The reset pulse is at least 10 µs; this is twice as long, because a board's delay may be coarse.
 inline constexpr std::uint32_t reset_low_us = 20;
-/// After reset and on both ways between sleep and waking: 120 ms until the supplies are stable. Some commands are
-/// allowed after 5 ms; waiting once for all is simpler.
+/// Pause after reset and after entering or leaving sleep: the supplies are stable after 120 ms. Some commands are
+/// allowed after 5 ms; waiting once for all of them is simpler.
 inline constexpr std::uint32_t settle_ms = 120;
 
 /// The part of a chip's memory that a glass shows, in memory columns and rows as they are with nothing flipped.
 struct Glass {
   int memory_columns, memory_rows;
-  int column, row;  ///< of its corner
+  int column, row;  ///< memory address of its first pixel
   int width, height;
 };
 
-/// How the viewer's picture lies in the chip's addresses.
+/// How the viewer's picture maps to the chip's addresses.
 struct Addressing {
   std::uint8_t memory_access;     ///< the byte for memory access control
   int width, height;              ///< of the picture, pixels
   int column_offset, row_offset;  ///< address of its first pixel
 };
 
-/// `wired_mirrored`: memory column 0 is at the viewer's right; `filters_blue_first`: so the glass has them.
+/// Computes the addressing. `wired_mirrored`: memory column 0 is at the viewer's right. `filters_blue_first`: the glass
+/// has its colour filters in the order blue, green, red.
 [[nodiscard]] constexpr Addressing addressing(const Glass& glass, bool wired_mirrored, bool filters_blue_first,
                                               const MipiOptions& options) {
   const auto bits = [&]() -> unsigned {
@@ -93,7 +94,7 @@ struct Addressing {
   const bool turned = (bits & exchange) != 0;
   unsigned access = bits;
   if (wired_mirrored) access ^= flip_columns;
-  // The viewer's left and right lie along the columns, or along the rows where the panel is turned.
+  // The viewer's horizontal axis runs along the columns, or along the rows if the panel is turned.
   if (options.mirrored) access ^= turned ? flip_rows : flip_columns;
   const int column = (access & flip_columns) != 0 ? glass.memory_columns - glass.column - glass.width : glass.column;
   const int row = (access & flip_rows) != 0 ? glass.memory_rows - glass.row - glass.height : glass.row;
@@ -113,8 +114,9 @@ struct Addressing {
           static_cast<std::uint8_t>(last >> 8), static_cast<std::uint8_t>(last)};
 }
 
-/// Packs RGB565 words into 12 bits each, in place: two pixels in three bytes, RRRRGGGG BBBBRRRR GGGGBBBB, each channel
-/// its high four bits. pixels.size() is even. Bytes 3k … 3k + 2 take words 2k and 2k + 1, which lie at or behind them.
+/// Packs RGB565 words into 12 bits each, in place: two pixels in three bytes, RRRRGGGG BBBBRRRR GGGGBBBB, with the high
+/// four bits of each channel. pixels.size() is even. Bytes 3k … 3k + 2 come from words 2k and 2k + 1, which lie no
+/// earlier in memory, so no word is overwritten before it is read.
 inline std::span<const std::uint8_t> pack_444_in_place(std::span<std::uint16_t> pixels) {
   auto* packed = reinterpret_cast<std::uint8_t*>(pixels.data());
   const auto twelve_bits = [](std::uint32_t pixel) {
@@ -135,14 +137,13 @@ inline std::span<const std::uint8_t> pack_444_in_place(std::span<std::uint16_t> 
 /// Driver of a TFT controller with the MIPI display command set, over a 4-wire serial bus. `Chip` is a table of facts:
 /// see `Ili9341Chip`. See `Panel` for what each function does.
 ///
-/// Bands that follow one another from the top go out without a word between them: the chip's address runs on, so that
-/// handing over a band costs no commands.
+/// Bands that follow one another from the top are sent without commands between them, because the chip's address
+/// advances by itself.
 ///
-/// Where the bus can read, init() asks for the chip's identity; identity_status() tells what came of it. Another answer
-/// than the datasheet's stops nothing: many modules that work give one, or have no line back.
+/// If the bus can read, init() asks for the chip's identity; identity_status() gives the result. An unexpected answer
+/// does not stop anything, because many working modules give one or have no line back.
 ///
-/// Whatever fails on the bus makes the next band set its window anew: bytes that were lost shift no rows of a later
-/// one.
+/// After any bus failure the next band sets its window again, so that lost bytes cannot shift the rows of later bands.
 template <class Chip, Bus BusType, Clock ClockType, MipiOptions options = MipiOptions{}>
 class MipiPanel {
  public:
@@ -168,7 +169,7 @@ class MipiPanel {
     bus_.reset(true);
     clock_.delay_us(mipi::reset_low_us);
     bus_.reset(false);
-    if (bus_.busy()) return DisplayStatus::bus_timeout;  // a stuck bus shows here, before the long pauses
+    if (bus_.busy()) return DisplayStatus::bus_timeout;  // a stuck bus is found here, before the long pauses
     delay_ms(clock_, mipi::settle_ms);
     DisplayStatus status = identify();
     if (status == DisplayStatus::ok) status = send_table();
@@ -215,7 +216,8 @@ class MipiPanel {
       if (state_ == State::asleep) return DisplayStatus::panel_asleep;
       if (!takes(y0)) return DisplayStatus::bus_busy;
     } else {
-      const DisplayStatus status = window({0, y0, width, height});  // down to the end, so that the next band may follow
+      const DisplayStatus status =
+          window({0, y0, width, height});  // it reaches to the last row, so that the next band may follow
       if (status != DisplayStatus::ok) return status;
     }
     const DisplayStatus status = start(pixels.first(count));
@@ -223,8 +225,8 @@ class MipiPanel {
     return status;
   }
 
-  /// Sends a rectangle alone: `pixels` holds it row by row, an even number of words, and is the bus's until busy() has
-  /// returned false.
+  /// Sends a single rectangle. `pixels` holds it row by row, an even number of words, and belongs to the bus until
+  /// busy() has returned false.
   DisplayStatus draw(const Window& rectangle, std::span<std::uint16_t> pixels) {
     if (!rectangle.fits(width, height)) return DisplayStatus::window_out_of_range;
     const std::size_t count =
@@ -237,8 +239,8 @@ class MipiPanel {
 
   [[nodiscard]] bool busy() const { return bus_.busy(); }
 
-  /// Whether write() would take a band that begins at row y0 now: on a bus that queues, one that follows the last band
-  /// may join those that are still on their way.
+  /// Whether write() would accept a band that begins at row y0 now. On a bus that queues, a band that follows the last
+  /// one may join those still being sent.
   [[nodiscard]] bool takes(int y0) const {
     if constexpr (QueueingBus<BusType>) {
       if (y0 == next_row_) return bus_.takes_pixels();
@@ -246,7 +248,7 @@ class MipiPanel {
     return !bus_.busy();
   }
 
-  /// How many bands have pixels left in their buffers, the last ones written.
+  /// How many of the bands written last still have pixels in their buffers.
   [[nodiscard]] std::uint32_t bands_left() const {
     if constexpr (QueueingBus<BusType>) {
       return bus_.transfers_left();
@@ -255,7 +257,7 @@ class MipiPanel {
     }
   }
 
-  /// Shows every colour as its complement, or as it is again. init() goes back to what the options say.
+  /// Shows the complement of every colour, or normal colours again. init() restores the setting of the options.
   DisplayStatus invert(bool inverted) {
     if (const DisplayStatus status = ready(); status != DisplayStatus::ok) return status;
     next_row_ = none;
@@ -282,7 +284,7 @@ class MipiPanel {
     return bus_.busy() ? DisplayStatus::bus_busy : DisplayStatus::ok;
   }
 
-  /// The answer's first byte means nothing: it is the clock's turn-round, and reads as the line happens to float.
+  /// The first byte of the answer is ignored: the bus turns round during it, and nothing drives the line.
   DisplayStatus identify() {
     if constexpr (ReadableBus<BusType>) {
       std::array<std::uint8_t, 1 + Chip::identity.size()> answer{};
@@ -302,7 +304,7 @@ class MipiPanel {
     return status;
   }
 
-  /// A panel that was dark when it fell asleep wakes up dark.
+  /// Wakes the panel. It stays dark if it was dark before it slept.
   DisplayStatus wake_up() {
     DisplayStatus status = send(mipi::sleep_out);
     if (status != DisplayStatus::ok) return status;
@@ -340,7 +342,8 @@ class MipiPanel {
 
   BusType& bus_;
   ClockType& clock_;
-  int next_row_ = none;  ///< where the chip's address stands after the last band; none: a window must be set first
+  int next_row_ =
+      none;  ///< row at which the chip's address stands after the last band; none if a window must be set first
   State state_ = State::off;
   bool is_on_ = false;  ///< since switch_on()
   DisplayStatus identity_ = DisplayStatus::ok;

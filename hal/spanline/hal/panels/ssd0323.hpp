@@ -11,8 +11,8 @@
 
 namespace spanline::hal {
 
-/// What does not depend on the bus. The SSD0323 is the SSD1325 under an older name: commands and their
-/// arguments are those of the latter's datasheet, command table and command descriptions.
+/// The part that does not depend on the bus. The SSD0323 is the SSD1325 under an older name; commands and arguments
+/// follow the SSD1325 datasheet, command table and command descriptions.
 namespace ssd0323 {
 
 inline constexpr std::uint8_t set_column_address = 0x15;
@@ -20,12 +20,12 @@ inline constexpr std::uint8_t set_row_address = 0x75;
 inline constexpr std::uint8_t display_off = 0xAE;
 inline constexpr std::uint8_t display_on = 0xAF;
 
-/// The controllers of this family ask for a few microseconds of reset; this leaves room for slow edges.
+/// The controllers of this family need a few microseconds of reset; a longer pulse allows for slow edges.
 inline constexpr std::uint32_t reset_low_us = 1000;
 /// Time for the panel's own supply to rise before the first command.
 inline constexpr std::uint32_t settle_ms = 100;
 
-/// For the OSRAM Pictiva 128 × 64 glass. Only commands that both the chip and QEMU's model of it know.
+/// For the OSRAM Pictiva 128 × 64 glass. It uses only commands that both the chip and QEMU's model of it know.
 // clang-format off
 inline constexpr auto init_table = std::to_array<std::uint8_t>({
     // bytes, pause in ms, command, arguments
@@ -61,8 +61,8 @@ static_assert(is_well_formed(init_table));
 }
 
 /// Packs RGB565 words into grey nibbles, in place: bytes 0 .. pixels.size() / 2 − 1 of the span's memory hold two
-/// pixels each, the left one in the high nibble. pixels.size() is even. Byte k takes words 2k and 2k + 1, which lie at
-/// or behind it, so nothing is overwritten before it is read.
+/// pixels each, the left one in the high nibble. pixels.size() is even. Byte k comes from words 2k and 2k + 1, which
+/// lie no earlier in memory, so no word is overwritten before it is read.
 inline std::span<const std::uint8_t> pack_in_place(std::span<std::uint16_t> pixels) {
   auto* packed = reinterpret_cast<std::uint8_t*>(pixels.data());
   const std::size_t count = pixels.size() / 2;
@@ -78,14 +78,14 @@ inline std::span<const std::uint8_t> pack_in_place(std::span<std::uint16_t> pixe
 
 /// Driver of the SSD0323, a 128 × 64 OLED with 16 grey levels. Bands are RGB565 in native order; write() packs them in
 /// place, so it needs no buffer of its own. This controller takes arguments with D/C low, like commands, so every byte
-/// of a command goes out in a bus command of its own. See `Panel` for what each function does.
+/// of a command is sent by its own bus command. See `Panel` for what each function does.
 template <Bus BusType, Clock ClockType>
 class Ssd0323 {
  public:
   static constexpr int width = 128;
   static constexpr int height = 64;
   static constexpr PixelOrder pixel_order = PixelOrder::native;
-  /// Serial clock cycle 250 ns (AC characteristics); nothing faster is known to be safe.
+  /// Serial clock cycle 250 ns (AC characteristics); no faster clock is known to be safe.
   static constexpr ClockRating clock_rating{.rated_hz = 4'000'000, .tolerated_hz = 4'000'000};
 
   Ssd0323(BusType& bus, ClockType& clock) : bus_(bus), clock_(clock) {}
@@ -97,7 +97,7 @@ class Ssd0323 {
     bus_.reset(true);
     clock_.delay_us(ssd0323::reset_low_us);
     bus_.reset(false);
-    if (bus_.busy()) return DisplayStatus::bus_timeout;  // a stuck bus shows here, before the long pause
+    if (bus_.busy()) return DisplayStatus::bus_timeout;  // a stuck bus is found here, before the long pause
     delay_ms(clock_, ssd0323::settle_ms);
     const DisplayStatus status = for_each_step(ssd0323::init_table, [this](const CommandStep& step) {
       const DisplayStatus sent = send(step.bytes);
@@ -116,7 +116,7 @@ class Ssd0323 {
     return status;
   }
 
-  /// x0 and x1 are even: memory columns hold two pixels.
+  /// x0 and x1 must be even, because a memory column holds two pixels.
   DisplayStatus window(const Window& rectangle) {
     if (const DisplayStatus status = ready(); status != DisplayStatus::ok) return status;
     if (!rectangle.fits(width, height) || rectangle.x0 % 2 != 0 || rectangle.x1 % 2 != 0) {
@@ -138,7 +138,8 @@ class Ssd0323 {
 
   [[nodiscard]] bool busy() const { return bus_.busy(); }
 
-  /// Sleep is display off: the memory stays, and takes writes, but the driver refuses them like any panel.
+  /// Sleep switches the display off. The chip would still accept writes, but the driver refuses them, as for every
+  /// panel.
   DisplayStatus sleep(bool asleep) {
     if (state_ == State::off) return DisplayStatus::panel_not_ready;
     if (bus_.busy()) return DisplayStatus::bus_busy;

@@ -6,8 +6,8 @@
 
 namespace spanline::hal {
 
-/// The glasses that come with an ST7789. The chip's memory is 240 × 320 whatever the glass: smaller ones show a part of
-/// it, which is why they need offsets (and other ones when they are turned).
+/// The glasses that are sold with an ST7789. The chip's memory is always 240 × 320; a smaller glass shows a part of it,
+/// whose offsets depend on the orientation.
 namespace st7789 {
 
 inline constexpr mipi::Glass glass_240x320{
@@ -27,11 +27,11 @@ struct St7789Chip {
   static constexpr mipi::Glass glass = shown;
   static constexpr bool wired_mirrored = false;
   static constexpr bool filters_blue_first = false;
-  static constexpr bool shows_complement = true;  ///< IPS glass: true colours come with inversion on
+  static constexpr bool shows_complement = true;  ///< IPS glass shows true colours with inversion on
   static constexpr bool takes_rgb444 = true;
   /// Serial write cycle 16 ns (section 7.4.3, 4-line serial interface); common modules run at 80 MHz.
   static constexpr ClockRating clock_rating{.rated_hz = 62'500'000, .tolerated_hz = 80'000'000};
-  /// Read display ID (section 9.1.3): behind a byte of nothing, manufacturer, version and model.
+  /// Read display ID (section 9.1.3). The answer is a dummy byte, then manufacturer, version and model.
   static constexpr std::uint8_t identity_command = 0x04;
   static constexpr std::array<std::uint8_t, 3> identity{0x85, 0x85, 0x52};
 
