@@ -20,8 +20,7 @@ template <class Format>
   std::uint32_t sum = 0;
   for (unsigned y = 0; y < factor; ++y)
     for (unsigned x = 0; x < factor; ++x)
-      sum += spread_565::from(
-          Format::from_rgb565(samples[y * stride + column * factor + x]));  // from_rgb565 is its own inverse
+      sum += spread_565::from(Format::from_rgb565(samples[y * stride + column * factor + x]));  // its own inverse
   return sum;
 }
 

@@ -37,8 +37,7 @@ class ClippedLine {
   bool steep_ = false;
   std::int32_t major_ = 0, minor_ = 0, direction_ = 1;
   std::int32_t slope_ = 0,
-               slope_remainder_ =
-                   0;  ///< movement on the shorter axis a step: whole pixels, and a remainder in 1/divisor_ pixels
+               slope_remainder_ = 0;  ///< shorter axis, a step: whole pixels, rest in 1/divisor_
   std::int32_t remainder_ = 0, divisor_ = 1;
 };
 

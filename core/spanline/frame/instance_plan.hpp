@@ -33,9 +33,8 @@ enum class CoordinateSource : std::uint8_t {
 /// All decisions about an instance, made once from its mesh, its material and the frame, before any of its data is
 /// made. Code after `plan_instance` follows the plan and does not consult mesh or material for them again.
 struct InstancePlan {
-  MissingShader missing =
-      MissingShader::none;  ///< shader without which the instance cannot be drawn; it is then left out
-  std::uint8_t shader = 0;  ///< index in the renderer's list of shaders
+  MissingShader missing = MissingShader::none;            ///< shader for want of which the instance is left out
+  std::uint8_t shader = 0;                                ///< index in the renderer's list of shaders
   VertexLighting lighting = VertexLighting::none;         ///< how vertices get their shades
   vertex_shade::Kind shades{};                            ///< what each shade of a vertex holds
   CoordinateSource coordinates = CoordinateSource::none;  ///< source of texture coordinates

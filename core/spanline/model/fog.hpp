@@ -27,9 +27,8 @@ enum class FogCurve : std::uint8_t {
 struct Fog {
   FogCurve curve = FogCurve::none;  ///< none by default
   Q16_16 start{};  ///< distance up to which there is no fog: world units from the eye, [0, end); 0 by default
-  Q16_16 end =
-      Q16_16::from_int(1);  ///< distance from which only fog is visible: world units, (start, 32768); 1 by default
-  Rgb888 colour{};          ///< white by default
+  Q16_16 end = Q16_16::from_int(1);  ///< from here on only fog is visible: world units, (start, 32768); 1 by default
+  Rgb888 colour{};                   ///< white by default
 };
 
 }  // namespace spanline

@@ -164,8 +164,7 @@ class Present {
  private:
   struct Buffer {
     std::span<std::uint16_t> words;
-    std::uint32_t number =
-        0;  ///< number of its band, counted over all submitted, while the bus may own it; otherwise 0
+    std::uint32_t number = 0;  ///< of its band among all submitted, while the bus may own it; otherwise 0
   };
 
   [[nodiscard]] DisplayStatus check(int index) const {

@@ -23,8 +23,7 @@ class CertainBlocks {
   [[nodiscard]] bool next() { return left_ != 0 && take_next(); }
 
  private:
-  static constexpr std::uint32_t most =
-      21;  ///< blocks made at a time; 21 of them cover 320 columns wherever they begin
+  static constexpr std::uint32_t most = 21;  ///< blocks made at a time: 320 columns
 
   bool take_next();
   void take();

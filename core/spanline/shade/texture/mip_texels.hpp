@@ -83,8 +83,7 @@ class MipTexels {
   [[nodiscard]] static bool present(std::uint32_t) { return true; }
 
  private:
-  static constexpr unsigned distance_bits =
-      Filter == TextureFilter::bilinear ? 5 : 0;  ///< fraction bits of a texel in a distance
+  static constexpr unsigned distance_bits = Filter == TextureFilter::bilinear ? 5 : 0;  ///< fraction bits of a texel
 
   [[nodiscard]] unsigned level_of(std::int32_t density) const { return TexelDensity::level(density, texture_->levels); }
   void take_level_of_group() {

@@ -110,8 +110,7 @@ template <class Format, class Texels, class Light>
 struct TextureShader {
   using Pixel = typename Format::Pixel;
   static constexpr bool interpolates = true;
-  static constexpr bool fogged =
-      Light::fogged;  ///< whether it draws only in frames with fog; otherwise only in those without
+  static constexpr bool fogged = Light::fogged;  ///< it draws only frames with fog, or only those without
 
   struct Source {
     static constexpr bool constant = false;

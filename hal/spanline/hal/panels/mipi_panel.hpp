@@ -216,8 +216,7 @@ class MipiPanel {
       if (state_ == State::asleep) return DisplayStatus::panel_asleep;
       if (!takes(y0)) return DisplayStatus::bus_busy;
     } else {
-      const DisplayStatus status =
-          window({0, y0, width, height});  // it reaches to the last row, so that the next band may follow
+      const DisplayStatus status = window({0, y0, width, height});  // to the last row, so that bands may follow
       if (status != DisplayStatus::ok) return status;
     }
     const DisplayStatus status = start(pixels.first(count));
@@ -342,8 +341,7 @@ class MipiPanel {
 
   BusType& bus_;
   ClockType& clock_;
-  int next_row_ =
-      none;  ///< row at which the chip's address stands after the last band; none if a window must be set first
+  int next_row_ = none;  ///< row of the chip's address; none: a window must be set first
   State state_ = State::off;
   bool is_on_ = false;  ///< since switch_on()
   DisplayStatus identity_ = DisplayStatus::ok;
