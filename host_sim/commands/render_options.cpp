@@ -47,7 +47,7 @@ void add_output_options(CLI::App& command, RenderTexts& texts) {
 std::string default_depths() {
   constexpr int usual = 16;
   std::string text = std::to_string(usual);
-  for (const VisibilityEntry& entry : visibility_algorithms())
+  for (const AlgorithmEntry& entry : visibility_algorithms())
     if (entry.depth_bits != usual) text += "; " + std::string(entry.name) + " " + std::to_string(entry.depth_bits);
   return text;
 }

@@ -6,13 +6,9 @@
 
 #include "base/failure.hpp"
 #include "panels/panel_registry.hpp"
-#include "registry/visibility_list.hpp"
 
 namespace spanline::sim {
 namespace {
-
-constexpr auto visibility_table =
-    std::apply([](const auto&... lines) { return std::array{lines.entry...}; }, visibility_list);
 
 constexpr std::array<ShadingEntry, 4> shading_table{{
     {"flat", "one brightness a polygon", false, true, false},
@@ -37,9 +33,7 @@ constexpr std::array<BoardEntry, 8> board_table{{
     {"virt-rv32", "RV32IMC, RISC-V virt machine (QEMU)"},
 }};
 
-/// Names of the command line that have no algorithm yet.
-constexpr std::array<std::string_view, 7> later_visibility{"painter", "depth-sort",      "bsp", "bsp-front",
-                                                           "warnock", "weiler-atherton", "ray"};
+/// Names that have no shading yet.
 constexpr std::array<std::string_view, 0> later_shading{};
 
 template <class Table, class Later>
@@ -54,11 +48,11 @@ const auto& find(const char* option, const Table& table, const Later& later, con
 
 }  // namespace
 
-std::span<const VisibilityEntry> visibility_algorithms() { return visibility_table; }
+std::span<const AlgorithmEntry> visibility_algorithms() { return algorithm_registry; }
 std::span<const ShadingEntry> shadings() { return shading_table; }
 
-const VisibilityEntry& find_visibility(const std::string& name) {
-  return find("--visibility", visibility_table, later_visibility, name);
+const AlgorithmEntry& find_visibility(const std::string& name) {
+  return find("--visibility", algorithm_registry, algorithms_to_come, name);
 }
 
 const ShadingEntry& find_shading(const std::string& name) {
@@ -68,8 +62,8 @@ const ShadingEntry& find_shading(const std::string& name) {
 std::vector<ListEntry> list_entries() {
   // Kinds without classes say so by a dash, so that no column is empty.
   std::vector<ListEntry> entries;
-  for (const VisibilityEntry& e : visibility_table)
-    entries.push_back({"visibility", e.name, e.exactness, e.description});
+  for (const AlgorithmEntry& e : algorithm_registry)
+    entries.push_back({"visibility", e.name, to_string(e.exactness), e.description});
   for (const ShadingEntry& e : shading_table) entries.push_back({"shading", e.name, "-", e.description});
   for (const PanelInfo& e : panels())
     entries.push_back({"panel", std::string(e.name), std::string(e.panel_class), std::string(e.description)});

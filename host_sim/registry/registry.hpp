@@ -4,17 +4,9 @@
 #include <vector>
 
 #include "spanline/model/material.hpp"
+#include "spanline/visibility/registry.hpp"
 
 namespace spanline::sim {
-
-/// A visibility algorithm that `--visibility` names; visibility_list.hpp has them.
-struct VisibilityEntry {
-  const char* name;
-  const char* exactness;  ///< exact, near-exact or order-bound
-  const char* description;
-  bool full_frame;  ///< works on the whole picture at once, whatever --band says
-  int depth_bits;   ///< where --depth does not say
-};
 
 /// A way of shading that `--shade` names.
 struct ShadingEntry {
@@ -30,11 +22,12 @@ struct ListEntry {
   std::string kind, name, exactness, description;
 };
 
-[[nodiscard]] std::span<const VisibilityEntry> visibility_algorithms();
+/// What `--visibility` names: the registry of the core (spanline/visibility/algorithms.def).
+[[nodiscard]] std::span<const AlgorithmEntry> visibility_algorithms();
 [[nodiscard]] std::span<const ShadingEntry> shadings();
 
 /// The entry of that name. Throws NotAvailable for a name that a later version brings and UsageError for others.
-[[nodiscard]] const VisibilityEntry& find_visibility(const std::string& name);
+[[nodiscard]] const AlgorithmEntry& find_visibility(const std::string& name);
 [[nodiscard]] const ShadingEntry& find_shading(const std::string& name);
 
 /// All that there is: visibility algorithms, shadings, panels and boards.

@@ -5,11 +5,9 @@
 #include <limits>
 
 #include "base/failure.hpp"
-#include "registry/visibility_list.hpp"
-#include "render/refusal_text.hpp"
+#include "render/frame_pass.hpp"
 #include "scene/core_values.hpp"
 #include "spanline/finish/average_samples.hpp"
-#include "spanline/frame/pick.hpp"
 #include "spanline/frame/ready_made_traits.hpp"
 
 namespace spanline::sim {
@@ -17,119 +15,6 @@ namespace {
 
 /// Polygons across a band's edge that there is room for at first; few frames have more.
 constexpr std::uint32_t first_active = 4096;
-
-/// Gathers the bands of a frame.
-template <class Traits>
-struct FrameSink {
-  using Pixel = typename Traits::Format::Pixel;
-  using Depth = typename Traits::Depth;
-
-  std::vector<Pixel>& pixels;
-  std::vector<std::uint32_t>* depths;
-  std::vector<bool>* covered_triangles;
-
-  template <class Band>
-  bool operator()(const Band& band) {
-    pixels.insert(pixels.end(), band.pixels.begin(), band.pixels.end());
-    if (depths == nullptr) return true;
-    for (const typename Depth::Word word : band.depth)
-      depths->push_back(word == Depth::clear ? background_depth(Depth::bits) : Depth::integer(word));
-    return true;
-  }
-
-  void covered(std::uint32_t triangle) {
-    if (covered_triangles != nullptr) (*covered_triangles)[triangle] = true;
-  }
-};
-
-/// Makes room for what a frame wanted, and a little more so that frames of a turntable rarely ask again.
-void grow(Capacity& capacity, const Status& status) {
-  const auto to = [&](std::uint32_t& pool) { pool = std::max(status.wanted, pool + pool / 4 + 64); };
-  switch (status.pool) {
-    case Pool::instances:
-      return to(capacity.instances);
-    case Pool::vertices:
-      return to(capacity.vertices);
-    case Pool::shades:
-      return to(capacity.shades);
-    case Pool::textures:
-      return to(capacity.textures);
-    case Pool::polygons:
-      return to(capacity.polygons);
-    case Pool::fans:
-      return to(capacity.fans);
-    case Pool::active:
-      return to(capacity.active);
-    case Pool::awake:
-      return to(capacity.awake);
-    case Pool::fragments:
-      return to(capacity.fragments);
-    case Pool::layers:
-      return to(capacity.layers);
-    case Pool::none:
-    case Pool::memory:
-      break;
-  }
-  throw Failure("the renderer ran out of memory that it had asked for");
-}
-
-/// Draws with one kind of renderer, as often as it takes until every pool is large enough.
-template <class Traits>
-class Pass {
- public:
-  /// `meshes`, `materials`, one a mesh, and the lights of `settings` outlive the pass.
-  Pass(const std::vector<Mesh>& meshes, const FrameSettings& settings, const std::vector<Material>& materials)
-      : meshes_(meshes), settings_(settings), materials_(materials) {}
-
-  std::vector<typename Traits::Format::Pixel> pixels;
-  std::vector<std::uint32_t> depths;
-  std::vector<bool> covered;
-  Statistics statistics{};
-  PoolPeaks peaks{};
-  bool want_depth = false, want_covered = false;
-
-  /// The whole frame into the tables above.
-  void run(Capacity& capacity, std::vector<std::byte>& memory, std::size_t triangles) {
-    run(capacity, memory, [this, triangles](Renderer<Traits>& renderer) {
-      pixels.clear();
-      depths.clear();
-      covered.assign(want_covered ? triangles : 0, false);
-      return renderer.draw(
-          FrameSink<Traits>{pixels, want_depth ? &depths : nullptr, want_covered ? &covered : nullptr});
-    });
-  }
-
-  /// Submits the frame and finishes it by `finish(renderer)`, as often as it takes.
-  template <class Finish>
-  void run(Capacity& capacity, std::vector<std::byte>& memory, Finish finish) {
-    for (;;) {
-      const Status status = attempt(capacity, memory, finish);
-      if (status.ok()) return;
-      if (status.fault != Fault::pool_full) throw Failure(refusal_text(status));
-      grow(capacity, status);
-    }
-  }
-
- private:
-  template <class Finish>
-  Status attempt(const Capacity& capacity, std::vector<std::byte>& memory, Finish finish) {
-    const std::size_t bytes = Renderer<Traits>::bytes_needed(capacity);
-    if (memory.size() < bytes) memory.resize(bytes);
-    Renderer<Traits> renderer(capacity, std::span(memory).first(bytes));
-    if (const Status status = renderer.status(); !status.ok()) return status;
-    if (const Status status = renderer.begin(settings_); !status.ok()) return status;
-    for (std::size_t i = 0; i < meshes_.size(); ++i)
-      if (const Status status = renderer.add(meshes_[i], Transform{}, materials_[i]); !status.ok()) return status;
-    if (const Status status = finish(renderer); !status.ok()) return status;
-    statistics = renderer.statistics();
-    peaks = renderer.peaks();
-    return {};
-  }
-
-  const std::vector<Mesh>& meshes_;
-  FrameSettings settings_;
-  const std::vector<Material>& materials_;
-};
 
 std::vector<DirectionalLight> to_core_lights(const SceneLight& light) {
   std::vector<DirectionalLight> lights;
@@ -164,17 +49,16 @@ std::uint64_t distinct_ids(const std::vector<std::uint32_t>& ids, std::size_t tr
   return static_cast<std::uint64_t>(std::count(seen.begin(), seen.end(), true));
 }
 
-/// What colours are drawn with: one list of shaders for everything that a model may have.
-template <class Depth, class Visibility>
-using Colours = GeneralSeeThroughTraits<Rgb565, Depth, Counted, Visibility>;
+AlgorithmPasses passes_of(const AlgorithmEntry& entry) {
+  return with_unit(entry.id, []<AlgorithmId Unit>() { return algorithm_passes<Unit>(); });
+}
 
-/// Draws the colour picture and, where asked, the picture of ids, with one format of depth.
-template <class Depth, class Visibility>
+/// Draws the colour picture and, where asked, the picture of ids.
 class FrameDrawing {
  public:
   FrameDrawing(const FrameRequest& request, const std::vector<CoreMesh>& meshes, Capacity& capacity,
                std::vector<std::byte>& memory)
-      : request_(request), capacity_(capacity), memory_(memory) {
+      : request_(request), passes_(passes_of(*request.visibility)), capacity_(capacity), memory_(memory) {
     for (const CoreMesh& mesh : meshes) {
       triangles_ += mesh.indices.size() / 3;
       meshes_.push_back(mesh.view());
@@ -209,17 +93,14 @@ class FrameDrawing {
     set_up(lights, points);
     Frame frame;
     frame.size = request_.size;
-    draw_colours<Colours<Depth, Visibility>>(frame);
+    draw_colours(frame);
     if (request_.want_ids || request_.want_statistics) draw_ids(frame);
     return frame;
   }
 
   PickedPixel pick(int x, int y) {
     set_up({}, {});
-    Pass<IdTraits<Depth, Counted, Visibility>> pass(meshes_, settings_, materials_);
-    Picked<Depth> picked;
-    pass.run(capacity_, memory_, [&](auto& renderer) { return spanline::pick(renderer, x, y, picked); });
-    return {picked.id, picked.id == 0 ? background_depth(Depth::bits) : picked.depth};
+    return passes_.pick(input(capacity_, settings_), x, y);
   }
 
  private:
@@ -251,12 +132,23 @@ class FrameDrawing {
     settings_.dither = request_.dither;
   }
 
-  template <class Traits>
+  /// A pass of this frame, at a capacity and by settings that outlive it.
+  [[nodiscard]] PassInput input(Capacity& capacity, const FrameSettings& settings) {
+    return {.meshes = meshes_,
+            .materials = materials_,
+            .settings = settings,
+            .triangles = triangles_,
+            .depth_bits = request_.depth_bits,
+            .depth_sense = request_.depth_sense,
+            .capacity = capacity,
+            .memory = memory_};
+  }
+
   void draw_colours(Frame& frame) {
-    Pass<Traits> pass(meshes_, settings_, materials_);
-    pass.want_depth = request_.want_depth;
-    pass.want_covered = request_.want_statistics;
-    pass.run(capacity_, memory_, triangles_);
+    PassInput wanted = input(capacity_, settings_);
+    wanted.want_depth = request_.want_depth;
+    wanted.want_covered = request_.want_statistics;
+    auto pass = passes_.colours(wanted);
     frame.pixels = std::move(pass.pixels);
     frame.depths = std::move(pass.depths);
     const auto& counted = pass.statistics.polygons;
@@ -268,12 +160,11 @@ class FrameDrawing {
     if (request_.want_statistics) statistics.polygons.empty = counted.total - counted.outside - counted.back - covered_;
     statistics.visibility = pass.statistics.visibility;
     statistics.peak_bytes = named_peaks(pass.peaks);
-    if (request_.samples > 1) draw_samples<Traits>(frame.pixels);
+    if (request_.samples > 1) draw_samples(frame.pixels);
   }
 
   /// The picture again, every pixel the mean of several: 4 of a picture of twice the size, 8 of two such, 16 of one of
   /// four times the size.
-  template <class Traits>
   void draw_samples(std::vector<std::uint16_t>& pixels) {
     const unsigned factor = request_.samples == 16 ? 4 : 2;
     const int passes = request_.samples == 8 ? 2 : 1;
@@ -291,8 +182,7 @@ class FrameDrawing {
     std::vector<std::uint32_t> sums(pixels.size());
     for (int number = 0; number < passes; ++number) {
       settings.stipple_seed = static_cast<std::uint8_t>(number);
-      Pass<Traits> pass(meshes_, settings, materials_);
-      pass.run(capacity_, memory_, triangles_);
+      const auto pass = passes_.colours(input(capacity_, settings));
       const std::size_t stride = capacity_.width;
       for (std::size_t i = 0; i < sums.size(); ++i)
         sums[i] +=
@@ -307,8 +197,7 @@ class FrameDrawing {
 
   void draw_ids(Frame& frame) {
     if (triangles_ >= (1u << 24)) throw Failure("pictures of ids count to 16777215, and the model has more triangles");
-    Pass<IdTraits<Depth, Visibility>> pass(meshes_, settings_, materials_);
-    pass.run(capacity_, memory_, triangles_);
+    auto pass = passes_.ids(input(capacity_, settings_));
     const std::uint64_t visible = distinct_ids(pass.pixels, triangles_);
     frame.statistics.polygons.visible = visible;
     frame.statistics.polygons.obscured = covered_ - visible;
@@ -316,6 +205,7 @@ class FrameDrawing {
   }
 
   const FrameRequest& request_;
+  AlgorithmPasses passes_;
   std::vector<Mesh> meshes_;
   std::vector<Material> materials_;
   Capacity& capacity_;
@@ -327,8 +217,38 @@ class FrameDrawing {
 
 }  // namespace
 
+void grow(Capacity& capacity, const Status& status) {
+  const auto to = [&](std::uint32_t& pool) { pool = std::max(status.wanted, pool + pool / 4 + 64); };
+  switch (status.pool) {
+    case Pool::instances:
+      return to(capacity.instances);
+    case Pool::vertices:
+      return to(capacity.vertices);
+    case Pool::shades:
+      return to(capacity.shades);
+    case Pool::textures:
+      return to(capacity.textures);
+    case Pool::polygons:
+      return to(capacity.polygons);
+    case Pool::fans:
+      return to(capacity.fans);
+    case Pool::active:
+      return to(capacity.active);
+    case Pool::awake:
+      return to(capacity.awake);
+    case Pool::fragments:
+      return to(capacity.fragments);
+    case Pool::layers:
+      return to(capacity.layers);
+    case Pool::none:
+    case Pool::memory:
+      break;
+  }
+  throw Failure("the renderer ran out of memory that it had asked for");
+}
+
 std::size_t FrameRenderer::entry_size(std::uint32_t Capacity::*pool) {
-  using Drawn = Renderer<Colours<Depth16<>, ZBuffer>>;
+  using Drawn = Renderer<GeneralSeeThroughTraits<Rgb565, Depth16<>, Counted>>;
   constexpr std::uint32_t entries = 8;  // a multiple of the arena's alignment whatever the entry's size
   Capacity more;
   more.*pool += entries;
@@ -362,20 +282,9 @@ Result FrameRenderer::with_drawing(const FrameRequest& request, F f) {
   const bool with_opacities =
       std::any_of(meshes_.begin(), meshes_.end(), [](const CoreMesh& mesh) { return !mesh.vertex_opacities.empty(); });
   if (request.smooth || with_opacities) capacity_.shades = std::max(capacity_.shades, capacity_.vertices);
-  if (request.band_lines < request.size.height || !request.visibility->full_frame)
+  if (request.band_lines < request.size.height || !request.visibility->full_frame())
     capacity_.active = capacity_.awake = std::max(capacity_.active, std::min(capacity_.polygons, first_active));
-  return with_visibility(*request.visibility, [&]<class Visibility>() -> Result {
-    const auto with = [&]<class Depth>(Depth*) {
-      return f(FrameDrawing<Depth, Visibility>(request, meshes_, capacity_, memory_));
-    };
-    constexpr auto smaller = DepthSense::smaller_is_nearer, larger = DepthSense::larger_is_nearer;
-    const bool smaller_wanted = request.depth_sense == smaller;
-    if (request.depth_bits == 16)
-      return smaller_wanted ? with(static_cast<Depth16<smaller>*>(nullptr))
-                            : with(static_cast<Depth16<larger>*>(nullptr));
-    return smaller_wanted ? with(static_cast<Depth24<smaller>*>(nullptr))
-                          : with(static_cast<Depth24<larger>*>(nullptr));
-  });
+  return f(FrameDrawing(request, meshes_, capacity_, memory_));
 }
 
 std::string to_string(const PickedPixel& picked) {

@@ -26,8 +26,8 @@ struct FrameTexture {
 /// A frame to draw: all that the core needs to know, in its own terms.
 struct FrameRequest {
   Size size;
-  const VisibilityEntry* visibility = nullptr;  ///< never null where a frame is drawn
-  int band_lines = 16;                          ///< lines a band; the height of the picture for a whole frame
+  const AlgorithmEntry* visibility = nullptr;  ///< never null where a frame is drawn
+  int band_lines = 16;                         ///< lines a band; the height of the picture for a whole frame
   int depth_bits = 16;
   DepthSense depth_sense = DepthSense::smaller_is_nearer;
   Cull cull = Cull::back;

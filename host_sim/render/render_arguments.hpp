@@ -22,7 +22,7 @@ struct RenderArguments {
   std::string model, output;
   Size size;
   ViewRequest view;
-  const VisibilityEntry* visibility = nullptr;
+  const AlgorithmEntry* visibility = nullptr;
   const ShadingEntry* shading = nullptr;  ///< nullptr: by what the model has
   std::optional<std::string> texture;     ///< a file, for what has no texture of its own
   TextureFilter filter = TextureFilter::nearest;

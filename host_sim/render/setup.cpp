@@ -69,8 +69,8 @@ FrameRequest make_request(const RenderArguments& arguments, const ShadingEntry& 
   FrameRequest request;
   request.size = arguments.size;
   request.visibility = arguments.visibility;
-  request.band_lines =
-      arguments.visibility->full_frame ? arguments.size.height : std::min(arguments.band_lines, arguments.size.height);
+  request.band_lines = arguments.visibility->full_frame() ? arguments.size.height
+                                                          : std::min(arguments.band_lines, arguments.size.height);
   request.depth_bits = arguments.depth_bits.value_or(arguments.visibility->depth_bits);
   request.depth_sense = arguments.depth_sense;
   request.cull = arguments.cull;

@@ -22,11 +22,11 @@ TEST_P(BruteForce, AgreesWithEveryAlgorithm) {
     Random random(seed_of(generator, round));
     const Scene scene = generator.make(random);
     const Drawing want = brute_force(scene);
-    for (const sim::VisibilityEntry& entry : algorithms()) {
+    for (const AlgorithmEntry& entry : algorithms_for(scene)) {
       Manner manner;
       manner.band_lines = 1 + i % 20;
       const Drawing got = draw(entry, scene, manner);
-      ASSERT_EQ(fault_of(exactness_of(entry), want, got, want, scene), "")
+      ASSERT_EQ(fault_of(entry.exactness, want, got, want, scene), "")
           << entry.name << ", seed " << seed_of(generator, round) << '\n'
           << text_of(scene);
     }
@@ -46,8 +46,8 @@ TEST_P(BruteForce, ShowsANearestTriangleAt16Bits) {
       for (Corner& c : t) c.z = std::min(c.z >> 8, 65534) << 8;  // what 16 bits can say
     const std::vector<test::ExactTriangle> exact(scene.triangles.begin(), scene.triangles.end());
     const Drawing nearest = brute_force(scene);
-    for (const sim::VisibilityEntry& entry : algorithms()) {
-      if (exactness_of(entry) != Exactness::exact) continue;
+    for (const AlgorithmEntry& entry : algorithms_for(scene)) {
+      if (entry.exactness != Exactness::exact) continue;
       const Drawing got = draw_16_bits(entry, scene);
       ASSERT_EQ(garbage_pixels(scene, got), 0U) << entry.name;
       for (int y = 0; y < scene.height; ++y)

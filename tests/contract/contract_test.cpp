@@ -75,9 +75,13 @@ std::string name_of(const ::testing::TestParamInfo<Generator>& info) { return in
 INSTANTIATE_TEST_SUITE_P(OnScreen, Contract, ::testing::ValuesIn(screen_generators()), name_of);
 INSTANTIATE_TEST_SUITE_P(OfMeshes, Contract, ::testing::ValuesIn(mesh_generators()), name_of);
 
-TEST(ContractList, SeveralAlgorithmsAreListed) {
-  ASSERT_GE(algorithms().size(), 3U);
-  for (const sim::VisibilityEntry& entry : algorithms()) EXPECT_NO_THROW((void)exactness_of(entry)) << entry.name;
+TEST(ContractList, EveryAlgorithmIsOfferedWhatItTakes) {
+  Scene on_screen;
+  on_screen.triangles.emplace_back();
+  ASSERT_GE(algorithms_for(on_screen).size(), 3U);
+  for (const AlgorithmEntry& entry : algorithms_for(on_screen))
+    EXPECT_TRUE(entry.takes_screen_polygons()) << entry.name;
+  EXPECT_EQ(algorithms_for(Scene{}).size(), algorithm_registry.size());
 }
 
 }  // namespace

@@ -96,8 +96,8 @@ Drawing draw_with(const Scene& scene, const Manner& manner) {
 }
 
 /// How an algorithm draws in a manner: some work on the whole picture at once.
-inline Manner manner_for(const sim::VisibilityEntry& algorithm, Manner manner) {
-  if (algorithm.full_frame) manner.band_lines = 0;
+inline Manner manner_for(const AlgorithmEntry& algorithm, Manner manner) {
+  if (algorithm.full_frame()) manner.band_lines = 0;
   return manner;
 }
 /// How the reference draws.

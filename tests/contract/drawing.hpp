@@ -3,17 +3,17 @@
 #include <cstdint>
 #include <optional>
 #include <spanline/visibility/counters.hpp>
+#include <spanline/visibility/registry.hpp>
 #include <vector>
 
-#include "registry/registry.hpp"
 #include "scene.hpp"
 
 namespace spanline::contract {
 
-/// Every algorithm that is listed.
-[[nodiscard]] const std::vector<sim::VisibilityEntry>& algorithms();
+/// Every algorithm of the registry that can draw the scene: screen polygons are for those that take them.
+[[nodiscard]] std::vector<AlgorithmEntry> algorithms_for(const Scene& scene);
 /// The entry of that name; throws if there is none.
-[[nodiscard]] const sim::VisibilityEntry& algorithm(const char* name);
+[[nodiscard]] const AlgorithmEntry& algorithm(const char* name);
 
 /// How a scene is drawn.
 struct Manner {
@@ -45,13 +45,13 @@ struct Drawing {
 };
 
 /// Draws at 24 bits. Algorithms that work on the whole picture at once take no notice of `band_lines`.
-[[nodiscard]] Drawing draw(const sim::VisibilityEntry& algorithm, const Scene& scene, const Manner& manner);
+[[nodiscard]] Drawing draw(const AlgorithmEntry& algorithm, const Scene& scene, const Manner& manner);
 
 /// What exact algorithms must draw: the z-buffer of the whole picture.
 [[nodiscard]] Drawing reference(const Scene& scene, Manner manner = {});
 
 /// The same at 16 bits, ids alone; depths of screen triangles lose their low byte.
-[[nodiscard]] Drawing draw_16_bits(const sim::VisibilityEntry& algorithm, const Scene& scene);
+[[nodiscard]] Drawing draw_16_bits(const AlgorithmEntry& algorithm, const Scene& scene);
 
 /// Whether a pool holds what is seen through: fragments of z-buffers, or layers of `span`.
 [[nodiscard]] inline bool is_of_layers(Pool pool) { return pool == Pool::fragments || pool == Pool::layers; }

@@ -50,7 +50,7 @@ class FullPool : public ::testing::TestWithParam<std::uint32_t> {
     EXPECT_GT(starved_, 0) << "there was room enough everywhere: nothing is shown";
   }
 
-  const sim::VisibilityEntry& span_ = algorithm("span");
+  const AlgorithmEntry& span_ = algorithm("span");
   int starved_ = 0;
 };
 

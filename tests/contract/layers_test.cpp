@@ -125,8 +125,8 @@ TEST(Layers, EveryAlgorithmBlendsAsASortPerPixelWould) {
       Random random(seed_of(generator(name), 3'000'000 + round));
       const Scene scene = generator(name).make(random);
       if (scene.triangles.size() * scene.pixel_count() > 3'000'000) continue;  // for the sake of time
-      for (const sim::VisibilityEntry& entry : algorithms()) {
-        if (exactness_of(entry) != Exactness::exact) continue;
+      for (const AlgorithmEntry& entry : algorithms_for(scene)) {
+        if (entry.exactness != Exactness::exact) continue;
         const Drawing drawing = draw(entry, scene, {.content = Manner::Content::layers, .band_lines = 5 + round});
         ASSERT_TRUE(drawing.status.ok()) << entry.name;
         told += check(scene, drawing);
@@ -149,7 +149,7 @@ Scene stacked(int layers) {
 
 TEST(Layers, APoolThatRunsFullIsToldOfAndTheSizeThatIsNamedIsEnough) {
   const Scene scene = stacked(5);
-  for (const sim::VisibilityEntry& entry : algorithms()) {
+  for (const AlgorithmEntry& entry : algorithms_for(scene)) {
     const Manner plenty{.content = Manner::Content::layers, .band_lines = 3, .layers = 100'000};
     const Drawing want = draw(entry, scene, plenty);
     ASSERT_TRUE(want.status.ok()) << entry.name;

@@ -198,9 +198,9 @@ TEST(EightByEightTables, AreDrawnByEveryAlgorithm) {
     if (both) scene.triangles.push_back(slope.grown(8, unit));
     EXPECT_EQ(table_of(Textbook(scene).draw()), both ? second : first);
     EXPECT_EQ(table_of(brute_force(scene)), both ? second : first);
-    for (const sim::VisibilityEntry& entry : algorithms())
+    for (const AlgorithmEntry& entry : algorithms_for(scene))
       for (const int lines : {0, 1, 3}) {
-        if (exactness_of(entry) != Exactness::exact) continue;
+        if (entry.exactness != Exactness::exact) continue;
         Manner manner;
         manner.band_lines = lines;
         EXPECT_EQ(table_of(draw(entry, scene, manner)), both ? second : first) << entry.name;
@@ -218,8 +218,8 @@ TEST_P(TextbookForm, AgreesWithEveryAlgorithm) {
     Random random(seed_of(generator, round));
     const Scene scene = generator.make(random);
     const Drawing want = Textbook(scene).draw();
-    for (const sim::VisibilityEntry& entry : algorithms())
-      ASSERT_EQ(fault_of(exactness_of(entry), want, draw(entry, scene, {}), want, scene), "")
+    for (const AlgorithmEntry& entry : algorithms_for(scene))
+      ASSERT_EQ(fault_of(entry.exactness, want, draw(entry, scene, {}), want, scene), "")
           << entry.name << ", seed " << seed_of(generator, round) << '\n'
           << text_of(scene);
   }

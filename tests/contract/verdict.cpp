@@ -49,14 +49,6 @@ std::string wrong_count(const Drawing& drawing) {
 
 }  // namespace
 
-Exactness exactness_of(const sim::VisibilityEntry& entry) {
-  const std::string_view word = entry.exactness;
-  if (word == "exact") return Exactness::exact;
-  if (word == "near-exact") return Exactness::near_exact;
-  if (word == "order-bound") return Exactness::order_bound;
-  throw std::logic_error("a visibility algorithm of no class");
-}
-
 std::string difference(const Drawing& want, const Drawing& got) {
   std::string text = table_difference("pixels", want.pixels, got.pixels, want);
   if (text.empty() && !want.depths.empty() && !got.depths.empty())
@@ -105,9 +97,9 @@ std::string fault_of(Exactness exactness, const Drawing& want, const Drawing& go
 std::string fault_in(const Scene& scene, const Manner& manner, const Drawer& drawer) {
   const Drawing want = drawer.reference(scene, manner);
   const Drawing owners = manner.content == Manner::Content::ids ? want : reference(scene, {});
-  for (const sim::VisibilityEntry& entry : algorithms()) {
+  for (const AlgorithmEntry& entry : algorithms_for(scene)) {
     const Drawing got = drawer.by(entry, scene, manner);
-    std::string fault = got.status.ok() ? fault_of(exactness_of(entry), want, got, owners, scene)
+    std::string fault = got.status.ok() ? fault_of(entry.exactness, want, got, owners, scene)
                                         : std::string(to_string(got.status.fault)) + ": " + to_string(got.status.pool);
     if (fault.empty()) fault = wrong_count(got);
     if (!fault.empty()) return std::string(entry.name) + ": " + fault + "\n" + text_of(scene);

@@ -8,17 +8,6 @@
 
 namespace spanline::contract {
 
-/// What an algorithm promises (design: visibility).
-enum class Exactness : std::uint8_t {
-  exact,        ///< the z-buffer's bytes, always
-  near_exact,   ///< at most 1 % of the pixels differ, each within one pixel of an edge or split
-  order_bound,  ///< the z-buffer's pixel where no two polygons that cover it overlap in depth; polygons and background
-                ///< where it has them
-};
-
-/// The class that the list states; throws for a word that is none.
-[[nodiscard]] Exactness exactness_of(const sim::VisibilityEntry& entry);
-
 // What is wrong with a picture; empty if nothing is.
 
 /// Pixels, and depths where both have them.
@@ -39,7 +28,7 @@ enum class Exactness : std::uint8_t {
 
 /// Draws a scene by an algorithm, or as all of them must.
 struct Drawer {
-  Drawing (*by)(const sim::VisibilityEntry&, const Scene&, const Manner&);
+  Drawing (*by)(const AlgorithmEntry&, const Scene&, const Manner&);
   Drawing (*reference)(const Scene&, Manner);
 };
 

@@ -107,12 +107,5 @@ TEST(Verdict, ClassesAreHeldToTheirOwnChecks) {
   EXPECT_EQ(fault_of(Exactness::near_exact, want, got, want, Scene{}), "");
 }
 
-TEST(Verdict, AClassIsReadFromTheList) {
-  EXPECT_EQ(exactness_of({"a", "exact", "", false, 24}), Exactness::exact);
-  EXPECT_EQ(exactness_of({"b", "near-exact", "", false, 24}), Exactness::near_exact);
-  EXPECT_EQ(exactness_of({"c", "order-bound", "", false, 24}), Exactness::order_bound);
-  EXPECT_THROW((void)exactness_of({"d", "good", "", false, 24}), std::logic_error);
-}
-
 }  // namespace
 }  // namespace spanline::contract

@@ -54,7 +54,7 @@ Corners triangle(Reader& reader, const std::vector<Corners>& earlier) {
 }
 
 /// With too few records: what is drawn is right, and the status leads on.
-std::string starved_fault(const Case& drawn, const sim::VisibilityEntry& entry, const contract::Drawing& want) {
+std::string starved_fault(const Case& drawn, const AlgorithmEntry& entry, const contract::Drawing& want) {
   contract::Manner manner = drawn.manner;
   const bool layers = manner.content == contract::Manner::Content::layers;
   manner.active = drawn.active;
@@ -120,8 +120,8 @@ std::string fault_in(const Case& drawn) {
       scene.triangles.size() * scene.pixel_count() < brute_work)
     fault = contract::difference(contract::brute_force(scene), want);
   if (!fault.empty()) return "the reference: " + fault + "\n" + contract::text_of(scene);
-  for (const sim::VisibilityEntry& entry : contract::algorithms()) {
-    if (contract::exactness_of(entry) != contract::Exactness::exact) continue;
+  for (const AlgorithmEntry& entry : contract::algorithms_for(scene)) {
+    if (contract::entry.exactness != Exactness::exact) continue;
     const contract::Drawing got = contract::draw(entry, scene, drawn.manner);
     fault = got.status.ok() ? contract::difference(want, got) : "a pool that was large enough ran full";
     if (fault.empty() && got.shades_once && got.counters.named("shaded") != scene.pixel_count())

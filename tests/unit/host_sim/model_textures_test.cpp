@@ -6,6 +6,7 @@
 #include "image_bytes.hpp"
 #include "import/model_file.hpp"
 #include "model_files.hpp"
+#include "spanline/visibility/registry.hpp"
 #include "tool.hpp"
 
 namespace spanline::sim::test {
@@ -68,8 +69,8 @@ TEST_F(ModelTexturesTest, ObjPartsWearTheirMaterialsImagesTimesTheirColours) {
       make_file("a.obj",
                 "mtllib m.mtl\nv -1 -1 0\nv 0 -1 0\nv 0 1 0\nv -1 1 0\nv 1 -1 0\nv 1 1 0\nvt 0 0\nvt 0.5 0\n"
                 "vt 0.5 1\nvt 0 1\nusemtl left\nf 1/1 2/2 3/3 4/4\nusemtl right\nf 2 5 6 3\n");
-  for (const char* visibility : {"scanline-z", "span"})
-    expect_near(drawn(model, {"--visibility", visibility}), {red, {255, 128, 0}, blue, {255, 128, 0}});
+  for (const AlgorithmEntry& algorithm : algorithm_registry)
+    expect_near(drawn(model, {"--visibility", algorithm.name}), {red, {255, 128, 0}, blue, {255, 128, 0}});
 }
 
 TEST_F(ModelTexturesTest, GltfImagesLieBesideItOrInsideAndTakeItsSampler) {

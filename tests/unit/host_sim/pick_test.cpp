@@ -20,7 +20,7 @@ std::string line_for(std::uint32_t id, std::uint32_t depth) {
 
 TEST_F(PickTest, NamesWhatTheIdsAndDepthsShowByEveryAlgorithm) {
   const std::string model = make_file("a.obj", cube_obj());
-  for (const VisibilityEntry& algorithm : visibility_algorithms())
+  for (const AlgorithmEntry& algorithm : visibility_algorithms())
     for (const char* depth : {"16", "24"})
       for (const auto& [x, y] : {std::pair{36, 28}, {28, 20}, {0, 0}, {63, 47}}) {
         const ToolRun result = run({"render",       model,

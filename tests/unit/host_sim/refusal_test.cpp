@@ -1,4 +1,7 @@
+#include <string_view>
+
 #include "model_files.hpp"
+#include "spanline/visibility/registry.hpp"
 #include "tool.hpp"
 
 namespace spanline::sim::test {
@@ -200,8 +203,7 @@ TEST_F(RefusalTest, WhatIsNotAvailableYetSaysSo) {
   const std::string model = make_file("a.obj", cube_obj());
   const auto before = files();
   std::vector<std::vector<std::string>> later{{"--wireframe"}, {"--structure", "grid"}};
-  for (const std::string name : {"painter", "depth-sort", "bsp", "bsp-front", "warnock", "weiler-atherton", "ray"})
-    later.push_back({"--visibility", name});
+  for (const std::string_view name : algorithms_to_come) later.push_back({"--visibility", std::string(name)});
   const auto check = [&](std::vector<std::string> arguments) {
     SCOPED_TRACE(::testing::PrintToString(arguments));
     const ToolRun result = run(arguments);

@@ -9,6 +9,7 @@
 
 #include "image/png.hpp"
 #include "model_files.hpp"
+#include "spanline/visibility/registry.hpp"
 #include "tool.hpp"
 
 namespace spanline::sim::test {
@@ -69,15 +70,15 @@ TEST_F(RenderTest, IdsCountTrianglesOfFansInFileOrder) {
 TEST_F(RenderTest, ATextureLiesUprightOnTheModel) {
   const std::string model = make_file("a.obj", textured_square());
   const std::string texture = make_file("t.png", png_bytes(numbered_picture(16, 32)));
-  for (const char* visibility : {"zbuffer", "scanline-z", "span"}) {
+  for (const AlgorithmEntry& algorithm : algorithm_registry) {
     const Picture picture = render(model, {"--ortho", "2", "--size", "64x64", "--texture", texture, "--ambient", "1",
-                                           "--eye", "0,0,3", "--target", "0,0,0", "--visibility", visibility});
+                                           "--eye", "0,0,3", "--target", "0,0,0", "--visibility", algorithm.name});
     for (int y = 0; y < 64; ++y)
       for (int x = 0; x < 64; ++x) {
         ASSERT_LE(greatest_difference(picture.at(x, y), {static_cast<std::uint8_t>(x / 4 * 8),
                                                          static_cast<std::uint8_t>(y / 2 * 8), 255}),
                   8)
-            << visibility << " " << x << ", " << y;
+            << algorithm.name << " " << x << ", " << y;
       }
   }
 }
@@ -107,14 +108,14 @@ TEST_F(RenderTest, WithoutLightATextureIsShownAsItIs) {
                                       "0,0,3",         "--target", "0,0,0",      "--light",   "0,0,-1",
                                       "--point-light", "0,0,-2",   "--specular", "1",         "--ambient",
                                       "0.1",           "--shade",  "unlit",      "--texture", texture};
-  for (const char* visibility : {"zbuffer", "scanline-z", "span"}) {
-    const Picture picture = render(model, with(dark, {"--visibility", visibility}));
+  for (const AlgorithmEntry& algorithm : algorithm_registry) {
+    const Picture picture = render(model, with(dark, {"--visibility", algorithm.name}));
     for (int y = 0; y < 64; ++y)
       for (int x = 0; x < 64; ++x)
         ASSERT_LE(greatest_difference(picture.at(x, y), {static_cast<std::uint8_t>(x / 4 * 8),
                                                          static_cast<std::uint8_t>(y / 2 * 8), 255}),
                   8)
-            << visibility << " " << x << ", " << y;
+            << algorithm.name << " " << x << ", " << y;
   }
   const Picture plain = render(model, dark);
   EXPECT_NE(render(model, with(dark, {"--filter", "bilinear"})), plain);
@@ -412,10 +413,13 @@ TEST_F(RenderTest, Lists) {
     found.insert(line.substr(0, second));
     found.insert(line.substr(0, line.find('\t', second + 1)));
   }
-  for (const char* entry : {"visibility\tzbuffer\texact", "visibility\tscanline-z\texact", "visibility\tspan\texact",
-                            "shading\tflat", "shading\tgouraud", "shading\tunlit", "panel\tili9341", "panel\tssd0323",
-                            "board\tlm3s6965evb", "board\tmps2-an385", "board\tmps2-an386", "board\tmps2-an500",
-                            "board\tmicrobit", "board\tstm32vldiscovery", "board\tvirt-rv32"})
+  for (const AlgorithmEntry& entry : algorithm_registry)
+    EXPECT_TRUE(found.contains(std::string("visibility\t") + entry.name + "\t" + to_string(entry.exactness)))
+        << entry.name;
+  for (const char* entry :
+       {"visibility\tspan\texact", "shading\tflat", "shading\tgouraud", "shading\tunlit", "panel\tili9341",
+        "panel\tssd0323", "board\tlm3s6965evb", "board\tmps2-an385", "board\tmps2-an386", "board\tmps2-an500",
+        "board\tmicrobit", "board\tstm32vldiscovery", "board\tvirt-rv32"})
     EXPECT_TRUE(found.contains(entry)) << entry;
 }
 
@@ -446,13 +450,17 @@ std::array<double, 3> middle_of(const Picture& picture) {
 TEST_F(RenderTest, GlassShowsWhatLiesBehindByEveryMethodAndAlgorithm) {
   const std::string model = panes_obj("0.5");
   for (const std::string method : {"blend", "screen-door", "stochastic"}) {
-    std::vector<Picture> pictures;
-    for (const std::string algorithm : {"zbuffer", "scanline-z", "span"})
-      pictures.push_back(render(model, with(front, {"--shade", "unlit", "--depth", "24", "--visibility", algorithm,
-                                                    "--transparency", method})));
-    EXPECT_EQ(pictures[1].pixels, pictures[0].pixels) << method;
-    EXPECT_EQ(pictures[2].pixels, pictures[0].pixels) << method;
-    const auto middle = middle_of(pictures[0]);
+    const auto drawn = [&](const std::string& algorithm) {
+      return render(model, with(front, {"--shade", "unlit", "--depth", "24", "--visibility", algorithm,
+                                        "--transparency", method}));
+    };
+    const Picture picture = drawn("zbuffer");
+    for (const AlgorithmEntry& algorithm : algorithm_registry) {
+      if (algorithm.exactness == Exactness::exact) {
+        EXPECT_EQ(drawn(algorithm.name).pixels, picture.pixels) << method << ", " << algorithm.name;
+      }
+    }
+    const auto middle = middle_of(picture);
     // Random patterns: 1,024 samples, whose share has a deviation of 1/64.
     const double bound = method == "stochastic" ? 12 : 5;
     EXPECT_NEAR(middle[0], 127.5, bound) << method;
