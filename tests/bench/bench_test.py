@@ -35,6 +35,12 @@ class Budgets(unittest.TestCase):
     def test_a_budget_without_a_case_fails(self):
         self.assertIn("was not measured", *faults(1000, {"m4": {NAME: 1000, "S2 zbuffer 16 0": 1}}))
 
+    def test_budgets_of_cores_that_were_not_asked_for_stay_out(self):
+        rows = bench.rows_of("m4", LINE.format(1000))
+        budgets = {"m4": {NAME: 1000}, "m3": {NAME: 1000}}
+        self.assertEqual(list(bench.beside_budget(rows, budgets, ["m4"])), [])
+        self.assertIn("m3", *bench.beside_budget(rows, budgets, ["m3", "m4"]))
+
 
 class Console(unittest.TestCase):
     def test_a_full_pool_fails(self):
