@@ -86,8 +86,10 @@ auto with_depth(const PassInput& input, F f) {
 }
 
 /// Colours by one list of shaders for everything that a model may have; ids and picks by one of their own.
-template <class Visibility>
+template <class Visibility, AlgorithmId Unit>
 AlgorithmPasses passes_by() {
+  static_assert(BandDrawer<IdTraits<Visibility>>::Visibility::needs == entry_of(Unit).needs,
+                "the registry's line and the algorithm differ in what it needs");
   return {
       [](const PassInput& input) {
         return with_depth(input, [&]<class Depth>(Depth) {

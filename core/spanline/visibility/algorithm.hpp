@@ -11,6 +11,7 @@
 #include "spanline/memory/pool_peaks.hpp"
 #include "spanline/raster/gradients.hpp"
 #include "spanline/raster/polygon_table.hpp"
+#include "spanline/visibility/algorithm_needs.hpp"
 #include "spanline/visibility/band_target.hpp"
 #include "spanline/visibility/frame_input.hpp"
 
@@ -18,12 +19,6 @@
 /// describes the functions that it requires. `docs/visibility.md` shows how to add an algorithm, with a complete
 /// example.
 namespace spanline {
-
-/// The input that an algorithm works on.
-enum class AlgorithmNeeds : std::uint8_t {
-  screen_polygons,  ///< the polygon table alone; its polygons may come from meshes or be given in screen coordinates
-  world,            ///< also FrameInput::world, so polygons that are given in screen coordinates cannot be drawn
-};
 
 /// Properties of an algorithm that hold for all frames.
 template <class A>

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "spanline/visibility/algorithm_needs.hpp"
+
 namespace spanline {
 
 // Every visibility algorithm that there is, as programs see it that let somebody choose. algorithms.def says what each
@@ -35,12 +37,6 @@ enum class Exactness : std::uint8_t {
   return "order-bound";
 }
 
-/// What an algorithm can draw.
-enum class AlgorithmInput : std::uint8_t {
-  screen_polygons,  ///< whatever stands in the polygon table, also polygons that a program gives on screen
-  a_world,          ///< meshes and an eye alone
-};
-
 /// How much of a picture an algorithm draws at a time.
 enum class AlgorithmExtent : std::uint8_t { bands, the_whole_picture };
 
@@ -49,21 +45,21 @@ struct AlgorithmEntry {
   AlgorithmId id;
   const char* name;  ///< on the command line
   Exactness exactness;
-  AlgorithmInput takes;
+  AlgorithmNeeds needs;
   AlgorithmExtent works_on;
   int depth_bits;  ///< where nobody asks for others: 16 or 24
   const char* description;
   std::string_view option;  ///< of renderer traits: lines that have the same share a translation unit
 
   [[nodiscard]] constexpr bool full_frame() const { return works_on == AlgorithmExtent::the_whole_picture; }
-  [[nodiscard]] constexpr bool takes_screen_polygons() const { return takes == AlgorithmInput::screen_polygons; }
+  [[nodiscard]] constexpr bool takes_screen_polygons() const { return needs == AlgorithmNeeds::screen_polygons; }
 };
 
 /// All lines, in their order.
 inline constexpr auto algorithm_registry = std::to_array<AlgorithmEntry>({
-#define SPANLINE_ALGORITHM(id, name, option, board_option, header, exactness, takes, works_on, depth_bits, \
+#define SPANLINE_ALGORITHM(id, name, option, board_option, header, exactness, needs, works_on, depth_bits, \
                            description)                                                                    \
-  {AlgorithmId::id,           name,       Exactness::exactness, AlgorithmInput::takes,                     \
+  {AlgorithmId::id,           name,       Exactness::exactness, AlgorithmNeeds::needs,                     \
    AlgorithmExtent::works_on, depth_bits, description,          #option "," #board_option},
 #include "spanline/visibility/algorithms.def"
 });
@@ -88,7 +84,7 @@ constexpr auto with_unit(AlgorithmId id, F&& f) {
     return f.template operator()<unit_of(AlgorithmId::id)>();
 #include "spanline/visibility/algorithms.def"
   }
-  return decltype(f.template operator()<AlgorithmId{}>()){};
+  return decltype(f.template operator()<AlgorithmId{}>())();
 }
 
 /// Names that a later version brings, for one line of an error.

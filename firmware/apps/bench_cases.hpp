@@ -1,0 +1,140 @@
+#pragma once
+#include <algorithm>
+#include <bunny.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <spanline/frame/ready_made_traits.hpp>
+#include <spanline/model/cull.hpp>
+#include <spanline/visibility/registry.hpp>
+
+#include "board.hpp"
+#include "measured_frame.hpp"
+#include "scenes/model_view.hpp"
+#include "scenes/screen_soups.hpp"
+#include "scenes/textured_wall.hpp"
+
+/// The benchmark's cases that every visibility algorithm draws.
+namespace spanline::bench {
+
+alignas(8) inline std::byte memory[1024 * 1024];
+inline ScreenVertex soup_vertices[6000];
+inline std::uint16_t soup_colours[2000];
+
+inline void print(const char* scene, const char* visibility, int depth, unsigned band, std::uint32_t instructions,
+                  std::uint32_t crc, std::size_t peak_bytes) {
+  board::write("bench ");
+  board::write(scene);
+  board::write(" ");
+  board::write(visibility);
+  board::write(" ");
+  board::write_unsigned(static_cast<std::uint32_t>(depth));
+  board::write(" ");
+  board::write_unsigned(band);
+  board::write(" ");
+  board::write_unsigned(instructions);
+  board::write(" ");
+  board::write_hex(crc);
+  board::write(" ");
+  board::write_unsigned(static_cast<std::uint32_t>(peak_bytes));
+  board::write("\n");
+}
+
+template <class Traits, class Submit>
+void measure(const char* scene, const char* visibility, const Capacity& capacity, unsigned band, Submit submit) {
+  const measured::Frame frame = measured::warm_frame<Traits>(capacity, band, memory, submit);
+  if (!frame.complete) board::write("bench: a pool is full\n");
+  print(scene, visibility, Traits::Depth::bits, band, frame.instructions, frame.crc, frame.peak_bytes);
+}
+
+/// Triangles on screen, which `make` puts into its table.
+template <class Traits, class Make>
+void soup(const char* name, const char* visibility, const Capacity& capacity, unsigned band, const Material& material,
+          Make make) {
+  const std::uint32_t triangles = capacity.polygons;
+  const scenes::ScreenSoup target{std::span(soup_vertices).first(3 * triangles),
+                                  std::span(soup_colours).first(triangles)};
+  make(target);
+  measure<Traits>(name, visibility, capacity, band, [&](auto& renderer) {
+    FrameSettings settings;
+    settings.cull = Cull::none;
+    (void)renderer.begin(settings);
+    if (!renderer.add_screen(target.vertices, target.colours, material).ok()) board::write("bench: a pool is full\n");
+  });
+}
+
+template <class Depth, class Visibility>
+void soups(const char* visibility, unsigned band) {
+  using Traits = FlatTraits<Rgb565, Depth, Visibility>;
+  const auto soup = [&](const char* name, std::uint32_t triangles, auto make) {
+    bench::soup<Traits>(name, visibility,
+                        {.polygons = triangles,
+                         .active = std::min<std::uint32_t>(triangles, 600),
+                         .awake = std::min<std::uint32_t>(triangles, 600)},
+                        band, {}, make);
+  };
+  const auto right_triangles = [](std::uint32_t leg, std::uint32_t count) {
+    return [=](scenes::ScreenSoup target) { scenes::make_right_triangles(leg, count, Depth::bits, target); };
+  };
+  soup("S1", 2000, right_triangles(8, 2000));
+  soup("S2", 500, right_triangles(32, 500));
+  soup("S3", 100, right_triangles(128, 100));
+  soup("S7B", 40, [](scenes::ScreenSoup target) { scenes::make_full_screen_quads(true, Depth::bits, target); });
+  soup("S7F", 40, [](scenes::ScreenSoup target) { scenes::make_full_screen_quads(false, Depth::bits, target); });
+}
+
+template <class Traits>
+void model(const char* name, const char* visibility, ShadingMode shading, unsigned band) {
+  const Mesh& mesh = spanline_models::bunny;
+  const auto vertices = static_cast<std::uint32_t>(mesh.vertex_count());
+  const scenes::ModelView view = scenes::model_view(mesh, Angle::from_degrees(30), 240, shading);
+  measure<Traits>(name, visibility,
+                  {.vertices = vertices,
+                   .shades = shading == ShadingMode::gouraud ? vertices : 0,
+                   .polygons = 1600,
+                   .active = 128,
+                   .awake = 128},
+                  band, [&](auto& renderer) {
+                    (void)renderer.begin(view.settings);
+                    if (!renderer.add(mesh, view.transform, view.material).ok())
+                      board::write("bench: a pool is full\n");
+                  });
+}
+
+template <class Traits>
+void wall(const char* visibility, unsigned band) {
+  namespace scene = scenes::textured_wall;
+  measure<Traits>("S6", visibility, {.vertices = 4, .textures = 4, .polygons = 2, .active = 2, .awake = 2}, band,
+                  [&](auto& renderer) {
+                    (void)renderer.begin(scene::settings());
+                    if (!renderer.add(scene::mesh, {}, scene::material).ok()) board::write("bench: a pool is full\n");
+                  });
+}
+
+/// The cases of one algorithm, at 16 or 24 bits of depth, in bands of so many lines or in one (0): each in a
+/// translation unit of its own, which the build makes of bench_by.cpp.in. 16 bits are for those that have them by
+/// default.
+template <AlgorithmId Unit>
+void draw_cases(const char* visibility, int depth_bits, unsigned band);
+#define SPANLINE_ALGORITHM(id, ...) \
+  template <>                       \
+  void draw_cases<AlgorithmId::id>(const char* visibility, int depth_bits, unsigned band);
+#include "spanline/visibility/algorithms.def"
+
+template <class Depth, class Visibility, AlgorithmId Unit>
+void draw_cases_at(const char* visibility, unsigned band) {
+  if constexpr (entry_of(Unit).needs == AlgorithmNeeds::screen_polygons) soups<Depth, Visibility>(visibility, band);
+  model<FlatTraits<Rgb565, Depth, Visibility>>("S4", visibility, ShadingMode::flat, band);
+  model<GouraudTraits<Rgb565, Depth, Visibility>>("S5", visibility, ShadingMode::gouraud, band);
+  wall<TextureTraits<Rgb565, Depth, Visibility>>(visibility, band);
+}
+
+template <class Visibility, AlgorithmId Unit>
+void draw_cases_by(const char* visibility, int depth_bits, unsigned band) {
+  if constexpr (entry_of(Unit).depth_bits == 16) {
+    if (depth_bits == 16) return draw_cases_at<Depth16<>, Visibility, Unit>(visibility, band);
+  }
+  draw_cases_at<Depth24<>, Visibility, Unit>(visibility, band);
+}
+
+}  // namespace spanline::bench
