@@ -27,8 +27,9 @@ void write_hexadecimal(std::uint32_t number) {
 
 int main() {
   std::uint32_t crc = 0xffffffff;
-  const Status status = draw_cube(Angle::from_degrees(30), [&](int, int, auto pixels) {
-    for (const auto pixel : pixels) {
+  Picture renderer(picture_size, picture_memory);
+  const Status status = draw_cube(renderer, Angle::from_degrees(30), [&](const auto& band) {
+    for (const auto pixel : band.pixels) {
       crc = crc_with(crc, static_cast<std::uint8_t>(pixel));  // the low byte first
       crc = crc_with(crc, static_cast<std::uint8_t>(pixel >> 8));
     }

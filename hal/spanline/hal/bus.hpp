@@ -1,4 +1,27 @@
 #pragma once
+/// @file
+/// What a panel is driven over.
+///
+/// ```cpp
+/// // The smallest bus, over pins that a board has: it waits where it could return early.
+/// template <class Pins>
+/// struct SlowBus {
+///   hal::DisplayStatus command(std::span<const std::uint8_t> bytes) {
+///     pins.set_data_line(false);
+///     pins.shift_out(bytes.first(1));
+///     return pixels(bytes.subspan(1));
+///   }
+///   hal::DisplayStatus pixels(std::span<const std::uint8_t> bytes) {
+///     pins.set_data_line(true);
+///     pins.shift_out(bytes);
+///     return hal::DisplayStatus::ok;
+///   }
+///   bool busy() { return false; }
+///   void reset(bool held) { pins.set_reset_line(!held); }
+///   std::uint32_t clock_hz() { return 8'000'000; }
+///   Pins& pins;
+/// };
+/// ```
 #include <concepts>
 #include <cstdint>
 #include <span>

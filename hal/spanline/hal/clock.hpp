@@ -1,4 +1,18 @@
 #pragma once
+/// @file
+/// What drivers and the present loop tell the time by.
+///
+/// ```cpp
+/// // Over a timer that counts microseconds.
+/// struct TimerClock {
+///   std::uint32_t now_us() { return *timer; }
+///   void delay_us(std::uint32_t us) {
+///     for (const std::uint32_t start = *timer; *timer - start <= us;) {}
+///   }
+///   const volatile std::uint32_t* timer;
+/// };
+/// static_assert(hal::Clock<TimerClock>);
+/// ```
 #include <concepts>
 #include <cstdint>
 

@@ -1,4 +1,21 @@
 #pragma once
+/// @file
+/// Init tables of panels.
+///
+/// ```cpp
+/// // Bytes, pause in ms, command, arguments.
+/// constexpr std::uint8_t wake_up[] = {1, 120, 0x11, 2, 0, 0x3A, 0x55};
+/// static_assert(hal::is_well_formed(wake_up));
+///
+/// template <class Bus, class Clock>
+/// hal::DisplayStatus send(Bus& bus, Clock& clock) {
+///   return hal::for_each_step(wake_up, [&](const hal::CommandStep& step) {
+///     const hal::DisplayStatus status = bus.command(step.bytes);
+///     clock.delay_us(1000 * step.delay_ms);
+///     return status;
+///   });
+/// }
+/// ```
 #include <cstddef>
 #include <cstdint>
 #include <span>

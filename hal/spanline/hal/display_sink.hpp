@@ -1,4 +1,17 @@
 #pragma once
+/// @file
+/// A renderer on a display.
+///
+/// ```cpp
+/// #include <spanline/hal/panels/st7789.hpp>
+///
+/// template <hal::Bus Bus, hal::Clock Clock, class Picture>
+/// hal::DisplayStatus show_once(Bus& bus, Clock& clock, Picture& renderer) {
+///   hal::St7789<hal::st7789::glass_240x240, Bus, Clock> panel(bus, clock);
+///   hal::DisplaySink display(panel, clock, renderer);
+///   return display.show([&](auto& sink) { return renderer.draw(sink); }).display;
+/// }
+/// ```
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -15,8 +28,8 @@ namespace spanline::hal {
 /// The result of a frame: the status of the display and that of the drawing.
 template <class Drawing>
 struct ShownFrame {
-  DisplayStatus display = DisplayStatus::ok;
-  Drawing drawing{};  ///< default value if the frame did not begin
+  DisplayStatus display = DisplayStatus::ok;  ///< the first failure of the frame, or ok
+  Drawing drawing{};                          ///< default value if the frame did not begin
 };
 
 /// Connects a renderer to a present loop. Its buffers are the renderer's colour bands, so finished bands go to the
@@ -30,6 +43,7 @@ struct ShownFrame {
 template <Panel PanelType, Clock ClockType, class FillerType = NoFiller>
 class DisplaySink {
  public:
+  /// The loop that sends the bands.
   using Present = hal::Present<PanelType, ClockType>;
 
   /// All arguments stay with the caller and must outlive the sink. `timeout_us` limits each wait for the bus,
@@ -52,16 +66,23 @@ class DisplaySink {
 
   /// For statistics and restart_panel(), and for programs with a frame loop of their own.
   [[nodiscard]] Present& present() { return present_; }
+  /// For statistics.
   [[nodiscard]] const Present& present() const { return present_; }
 
   // What the renderer asks of a sink.
 
+  /// Waits until the colour band `buffer`, counted from 0, may be drawn into; false where the frame is given up.
   bool acquire(unsigned buffer) { return good(present_.acquire(static_cast<int>(buffer))); }
+  /// Whether acquire() would return at once.
   bool available(unsigned buffer) { return present_.available(static_cast<int>(buffer)); }
+  /// Starts to fill `count` words; see Filler.
   void fill(std::uint16_t value, std::uint32_t count, std::uint16_t* words) requires Filler<FillerType> {
     filler_.fill(value, count, words);
   }
+  /// Waits until all of it has ended; false where it does not.
   bool filled() requires Filler<FillerType> { return filler_.filled(); }
+  /// Hands a finished band to the panel; false where the frame is given up. A band that is not as wide as the panel is
+  /// `window_out_of_range`.
   template <class Band>
   bool operator()(const Band& band) {
     const auto words = static_cast<std::size_t>(band.y1 - band.y0) * PanelType::width;

@@ -1,4 +1,12 @@
 #pragma once
+/// @file
+/// What calls of the HAL return.
+///
+/// ```cpp
+/// const char* say(hal::DisplayStatus status) {
+///   return status == hal::DisplayStatus::ok ? "shown" : hal::to_string(status);
+/// }
+/// ```
 #include <cstdint>
 
 namespace spanline::hal {

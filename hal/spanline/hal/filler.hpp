@@ -1,4 +1,17 @@
 #pragma once
+/// @file
+/// Hardware that clears bands.
+///
+/// ```cpp
+/// // What a board with a DMA has; this one lets the core do it.
+/// struct CoreFiller {
+///   void fill(std::uint16_t value, std::uint32_t count, std::uint16_t* words) {
+///     while (count-- != 0) *words++ = value;
+///   }
+///   bool filled() { return true; }
+/// };
+/// static_assert(hal::Filler<CoreFiller>);
+/// ```
 #include <concepts>
 #include <cstdint>
 

@@ -1,4 +1,21 @@
 #pragma once
+/// @file
+/// What a display is to programs.
+///
+/// ```cpp
+/// // Fills the panel with one colour; `row` holds a row of pixels.
+/// template <hal::Panel Panel>
+/// hal::DisplayStatus fill(Panel& panel, std::uint16_t (&row)[Panel::width]) {
+///   hal::DisplayStatus status = panel.init();
+///   for (int y = 0; status == hal::DisplayStatus::ok && y < Panel::height; ++y) {
+///     while (panel.busy()) {}
+///     for (std::uint16_t& pixel : row) pixel = hal::to_pixel_order(Panel::pixel_order, 0x051F);
+///     status = panel.write(y, y + 1, row);
+///   }
+///   while (panel.busy()) {}
+///   return status == hal::DisplayStatus::ok ? panel.switch_on() : status;
+/// }
+/// ```
 #include <concepts>
 #include <cstdint>
 #include <span>
@@ -11,16 +28,17 @@ namespace spanline::hal {
 
 /// A rectangle of pixels, half open: columns x0 .. x1 − 1, rows y0 .. y1 − 1, from the top left of the picture.
 struct Window {
-  int x0 = 0;
-  int y0 = 0;
-  int x1 = 0;
-  int y1 = 0;
+  int x0 = 0;  ///< first column, pixels, [0, width − 1]
+  int y0 = 0;  ///< first row, pixels, [0, height − 1]
+  int x1 = 0;  ///< behind the last column, pixels, [1, width]
+  int y1 = 0;  ///< behind the last row, pixels, [1, height]
 
   /// Whether it holds a pixel and lies inside `width` × `height`.
   [[nodiscard]] constexpr bool fits(int width, int height) const {
     return x0 >= 0 && y0 >= 0 && x0 < x1 && y0 < y1 && x1 <= width && y1 <= height;
   }
 
+  /// The same rectangle.
   friend constexpr bool operator==(const Window&, const Window&) = default;
 };
 

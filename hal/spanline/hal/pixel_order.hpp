@@ -1,4 +1,11 @@
 #pragma once
+/// @file
+/// How pixels lie in memory.
+///
+/// ```cpp
+/// constexpr std::uint16_t red = 0xF800;
+/// static_assert(hal::to_pixel_order(hal::PixelOrder::high_byte_first, red) == 0x00F8);
+/// ```
 #include <bit>
 #include <cstdint>
 

@@ -1,4 +1,21 @@
 #pragma once
+/// @file
+/// The present loop, which sends a band while the next is drawn.
+///
+/// ```cpp
+/// // The loop by itself; hal::DisplaySink has it for renderers.
+/// template <class Present, class Draw>
+/// hal::DisplayStatus show(Present& present, int height, int band, Draw draw) {
+///   hal::DisplayStatus status = present.begin_frame();
+///   for (int y = 0, index = 0; status == hal::DisplayStatus::ok && y < height; y += band, index ^= 1) {
+///     status = present.acquire(index);
+///     if (status != hal::DisplayStatus::ok) break;
+///     draw(y, present.buffer(index));  // while the other buffer leaves
+///     status = present.submit(y, y + band, index);
+///   }
+///   return present.end_frame();  // the frame's first failure, or ok
+/// }
+/// ```
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -23,15 +40,6 @@ struct PresentStatistics {
 /// The present loop: one band is drawn while others are sent to the panel. Two buffers suffice. Over a bus that queues,
 /// more buffers let drawing run ahead on quick rows, which makes up for slow rows and for the next frame's geometry.
 ///
-///     DisplayStatus status = present.begin_frame();
-///     for (int y = 0, index = 0; status == DisplayStatus::ok && y < height; y += band, index ^= 1) {
-///       status = present.acquire(index);
-///       if (status != DisplayStatus::ok) break;
-///       draw(y, present.buffer(index));  // while the other buffer leaves
-///       status = present.submit(y, y + band, index);
-///     }
-///     status = present.end_frame();  // the frame's first failure, or ok
-///
 /// After a panel init the panel is dark. The first frame must cover the whole panel; its end waits until it is sent and
 /// then switches the panel on.
 ///
@@ -44,7 +52,7 @@ class Present {
   /// Longer than a whole 320 × 240 frame at 10 MHz (123 ms).
   static constexpr std::uint32_t default_timeout_us = 250'000;
 
-  static constexpr int most_buffers = 16;
+  static constexpr int most_buffers = 16;  ///< those behind them are not used
 
   /// The buffers are the caller's, in RAM that the bus's DMA reaches. Each holds the rows of the tallest band; empty
   /// ones do not count. The timeout is for one wait, and must exceed the transfer time of all buffers: rows × width ×
@@ -159,6 +167,7 @@ class Present {
   /// plugged in again, which the bus cannot notice. Bands still being sent then are abandoned.
   void restart_panel() { needs_init_ = true; }
 
+  /// What the loop has done since it began.
   [[nodiscard]] const PresentStatistics& statistics() const { return statistics_; }
 
  private:

@@ -1,4 +1,13 @@
 #pragma once
+/// @file
+/// The driver of the ILI9341.
+///
+/// ```cpp
+/// // Held upright, by a viewer whose module has its colour filters the other way round.
+/// template <hal::Bus Bus, hal::Clock Clock>
+/// using Upright = hal::Ili9341<Bus, Clock,
+///                              hal::MipiOptions{.orientation = hal::Orientation::portrait, .swap_red_blue = true}>;
+/// ```
 #include <array>
 #include <cstdint>
 
@@ -9,17 +18,19 @@ namespace spanline::hal {
 /// The ILI9341, a 240 × 320 RGB TFT controller (ILI9341 datasheet, chapter 8), with the glass of the common 2.2"
 /// to 2.8" modules.
 struct Ili9341Chip {
+  /// What the glass shows of the chip's memory.
   static constexpr mipi::Glass glass{
       .memory_columns = 240, .memory_rows = 320, .column = 0, .row = 0, .width = 240, .height = 320};
-  static constexpr bool wired_mirrored = true;
-  static constexpr bool filters_blue_first = true;
-  static constexpr bool shows_complement = false;
-  static constexpr bool takes_rgb444 = false;  ///< section 8.2.33: 16 or 18 bits a pixel only
+  static constexpr bool wired_mirrored = true;      ///< memory column 0 is at the viewer's right
+  static constexpr bool filters_blue_first = true;  ///< the glass has its colour filters in the order BGR
+  static constexpr bool shows_complement = false;   ///< the glass shows true colours with inversion on
+  static constexpr bool takes_rgb444 = false;       ///< section 8.2.33: 16 or 18 bits a pixel only
   /// Serial write cycle 100 ns (AC characteristics, 4-line serial interface); common modules on short wires run at 40
   /// MHz.
   static constexpr ClockRating clock_rating{.rated_hz = 10'000'000, .tolerated_hz = 40'000'000};
   /// Read ID4 (section 8.3.23). The answer is a dummy byte, then version and model.
   static constexpr std::uint8_t identity_command = 0xD3;
+  /// What it answers, without the first byte, which means nothing.
   static constexpr std::array<std::uint8_t, 3> identity{0x00, 0x93, 0x41};
 
   /// From reset to a panel that is awake and dark, without the orientation. It starts with a software reset for boards
@@ -53,6 +64,7 @@ static constexpr auto init_table = std::to_array<std::uint8_t>({
   static_assert(is_well_formed(init_table));
 };
 
+/// The driver over a bus and a clock of yours; see MipiPanel.
 template <Bus BusType, Clock ClockType, MipiOptions options = MipiOptions{}>
 using Ili9341 = MipiPanel<Ili9341Chip, BusType, ClockType, options>;
 

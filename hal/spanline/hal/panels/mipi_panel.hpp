@@ -1,4 +1,14 @@
 #pragma once
+/// @file
+/// Drivers of panels with the MIPI display command set.
+///
+/// ```cpp
+/// // A square of the picture alone: what moves, in front of what stays.
+/// template <class Panel>
+/// hal::DisplayStatus show_icon(Panel& panel, std::span<std::uint16_t> pixels) {
+///   return panel.draw({.x0 = 10, .y0 = 10, .x1 = 26, .y1 = 26}, pixels);
+/// }
+/// ```
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -20,39 +30,38 @@ enum class ColourFormat : std::uint8_t {
 
 /// A program's choices for a panel with the MIPI display command set.
 struct MipiOptions {
-  Orientation orientation = Orientation::landscape;  ///< how the viewer holds it
-  bool mirrored = false;                             ///< left and right exchanged, for a panel seen in a mirror
-  bool swap_red_blue = false;                        ///< for modules whose colour filters are in the opposite order
-  bool inverted = false;                             ///< shows the complement of every colour
-  ColourFormat colours = ColourFormat::rgb565;
+  Orientation orientation = Orientation::landscape;  ///< how the viewer holds it; landscape by default
+  bool mirrored = false;       ///< left and right exchanged, for a panel seen in a mirror; false by default
+  bool swap_red_blue = false;  ///< for modules whose colour filters are in the opposite order; false by default
+  bool inverted = false;       ///< shows the complement of every colour; false by default
+  ColourFormat colours = ColourFormat::rgb565;  ///< bits a pixel on the wire; 16 by default
 };
 
 /// What the chips that speak the MIPI display command set (DCS) have in common.
 namespace mipi {
 
-inline constexpr std::uint8_t software_reset = 0x01;
-inline constexpr std::uint8_t sleep_in = 0x10;
-inline constexpr std::uint8_t sleep_out = 0x11;
-inline constexpr std::uint8_t normal_mode = 0x13;
-inline constexpr std::uint8_t inversion_off = 0x20;
-inline constexpr std::uint8_t inversion_on = 0x21;
-inline constexpr std::uint8_t display_off = 0x28;
-inline constexpr std::uint8_t display_on = 0x29;
-inline constexpr std::uint8_t column_address_set = 0x2A;
-inline constexpr std::uint8_t page_address_set = 0x2B;
-inline constexpr std::uint8_t memory_write = 0x2C;
-inline constexpr std::uint8_t memory_access_control = 0x36;
-inline constexpr std::uint8_t pixel_format_set = 0x3A;
+inline constexpr std::uint8_t software_reset = 0x01;         ///< all registers as after power-up; wait 120 ms
+inline constexpr std::uint8_t sleep_in = 0x10;               ///< wait 120 ms
+inline constexpr std::uint8_t sleep_out = 0x11;              ///< wait 120 ms
+inline constexpr std::uint8_t normal_mode = 0x13;            ///< neither partial nor scrolling
+inline constexpr std::uint8_t inversion_off = 0x20;          ///< colours as they are in the memory
+inline constexpr std::uint8_t inversion_on = 0x21;           ///< colours as complements
+inline constexpr std::uint8_t display_off = 0x28;            ///< dark; the memory stays
+inline constexpr std::uint8_t display_on = 0x29;             ///< shows the memory
+inline constexpr std::uint8_t column_address_set = 0x2A;     ///< first and last column of the window
+inline constexpr std::uint8_t page_address_set = 0x2B;       ///< first and last row of the window
+inline constexpr std::uint8_t memory_write = 0x2C;           ///< pixels follow, from the window's first corner
+inline constexpr std::uint8_t memory_access_control = 0x36;  ///< directions, and the order of red and blue
+inline constexpr std::uint8_t pixel_format_set = 0x3A;       ///< bits a pixel
 
-inline constexpr std::uint8_t format_12_bits = 0x53;
-inline constexpr std::uint8_t format_16_bits = 0x55;
+inline constexpr std::uint8_t format_12_bits = 0x53;  ///< two pixels in three bytes
+inline constexpr std::uint8_t format_16_bits = 0x55;  ///< two bytes a pixel, high byte first
 
-/// Bits of the memory access control byte: rows from the other end, columns from the other end, rows and columns
-/// exchanged, blue first.
-inline constexpr std::uint8_t flip_rows = 0x80;
-inline constexpr std::uint8_t flip_columns = 0x40;
-inline constexpr std::uint8_t exchange = 0x20;
-inline constexpr std::uint8_t blue_first = 0x08;
+// Bits of the memory access control byte.
+inline constexpr std::uint8_t flip_rows = 0x80;     ///< rows from the other end
+inline constexpr std::uint8_t flip_columns = 0x40;  ///< columns from the other end
+inline constexpr std::uint8_t exchange = 0x20;      ///< rows and columns exchanged
+inline constexpr std::uint8_t blue_first = 0x08;    ///< the order BGR
 
 /// The reset pulse is at least 10 µs; this is twice as long, because a board's delay may be coarse.
 inline constexpr std::uint32_t reset_low_us = 20;
@@ -62,16 +71,21 @@ inline constexpr std::uint32_t settle_ms = 120;
 
 /// The part of a chip's memory that a glass shows, in memory columns and rows as they are with nothing flipped.
 struct Glass {
-  int memory_columns, memory_rows;
-  int column, row;  ///< memory address of its first pixel
-  int width, height;
+  int memory_columns;  ///< of the whole memory, [1, 65536]
+  int memory_rows;     ///< of the whole memory, [1, 65536]
+  int column;          ///< memory address of the first pixel, [0, memory_columns − width]
+  int row;             ///< memory address of the first pixel, [0, memory_rows − height]
+  int width;           ///< of the upright glass, pixels
+  int height;          ///< of the upright glass, pixels
 };
 
 /// How the viewer's picture maps to the chip's addresses.
 struct Addressing {
-  std::uint8_t memory_access;     ///< the byte for memory access control
-  int width, height;              ///< of the picture, pixels
-  int column_offset, row_offset;  ///< address of its first pixel
+  std::uint8_t memory_access;  ///< the byte for memory access control
+  int width;                   ///< of the picture, pixels
+  int height;                  ///< of the picture, pixels
+  int column_offset;           ///< address of its first pixel
+  int row_offset;              ///< address of its first pixel
 };
 
 /// Computes the addressing. `wired_mirrored`: memory column 0 is at the viewer's right. `filters_blue_first`: the glass
@@ -147,18 +161,24 @@ inline std::span<const std::uint8_t> pack_444_in_place(std::span<std::uint16_t> 
 template <class Chip, Bus BusType, Clock ClockType, MipiOptions options = MipiOptions{}>
 class MipiPanel {
  public:
+  /// How the picture lies in the chip's memory.
   static constexpr mipi::Addressing addressing =
       mipi::addressing(Chip::glass, Chip::wired_mirrored, Chip::filters_blue_first, options);
-  static constexpr int width = addressing.width;
-  static constexpr int height = addressing.height;
+  static constexpr int width = addressing.width;    ///< of the picture as the viewer sees it, pixels
+  static constexpr int height = addressing.height;  ///< of the picture as the viewer sees it, pixels
+  /// Whether write() packs pixels into 12 bits, in place.
   static constexpr bool packs = options.colours == ColourFormat::rgb444;
   static_assert(!packs || Chip::takes_rgb444, "this chip has no 12-bit pixels on its serial bus");
   static_assert(!packs || width % 2 == 0, "12-bit pixels come in pairs, and a row must end with a pair");
+  /// How the words of a band must lie: native where they are packed, else as they go over the wire.
   static constexpr PixelOrder pixel_order = packs ? PixelOrder::native : PixelOrder::high_byte_first;
-  static constexpr ClockRating clock_rating = Chip::clock_rating;
+  static constexpr ClockRating clock_rating = Chip::clock_rating;  ///< the chip's
 
+  /// Both stay with the caller and must outlive the driver.
   MipiPanel(BusType& bus, ClockType& clock) : bus_(bus), clock_(clock) {}
 
+  /// Resets, identifies and wakes the panel, which stays dark; takes 240 to 360 ms. `bus_clock_too_high`,
+  /// `bus_timeout`.
   DisplayStatus init() {
     state_ = State::off;
     is_on_ = false;
@@ -180,6 +200,7 @@ class MipiPanel {
     return status;
   }
 
+  /// Display on, then the backlight, behind the first picture.
   DisplayStatus switch_on() {
     if (const DisplayStatus status = ready(); status != DisplayStatus::ok) return status;
     if (is_on_) return DisplayStatus::ok;
@@ -194,6 +215,7 @@ class MipiPanel {
   /// panel_unidentified if the last init() asked the panel who it is and the answer was not the chip's; else ok.
   [[nodiscard]] DisplayStatus identity_status() const { return identity_; }
 
+  /// What the next pixels() calls of the bus fill.
   DisplayStatus window(const Window& rectangle) {
     if (const DisplayStatus status = ready(); status != DisplayStatus::ok) return status;
     if (!rectangle.fits(width, height)) return DisplayStatus::window_out_of_range;
@@ -207,6 +229,7 @@ class MipiPanel {
     return status == DisplayStatus::ok ? send(mipi::memory_write) : status;
   }
 
+  /// Sends rows y0 .. y1 − 1; see Panel.
   DisplayStatus write(int y0, int y1, std::span<std::uint16_t> pixels) {
     const Window rows{0, y0, width, y1};
     if (!rows.fits(width, height)) return DisplayStatus::window_out_of_range;
@@ -236,6 +259,7 @@ class MipiPanel {
     return start(pixels.first(count));
   }
 
+  /// Whether the last write is still on its way.
   [[nodiscard]] bool busy() const { return bus_.busy(); }
 
   /// Whether write() would accept a band that begins at row y0 now. On a bus that queues, a band that follows the last
@@ -263,6 +287,7 @@ class MipiPanel {
     return send(inverted != Chip::shows_complement ? mipi::inversion_on : mipi::inversion_off);
   }
 
+  /// Darkens the panel and puts it to sleep, or wakes it and lights it if it was lit; takes 120 ms.
   DisplayStatus sleep(bool asleep) {
     if (state_ == State::off) return DisplayStatus::panel_not_ready;
     if (bus_.busy()) return DisplayStatus::bus_busy;

@@ -1,4 +1,12 @@
 #pragma once
+/// @file
+/// The driver of the SSD0323.
+///
+/// ```cpp
+/// static_assert(hal::ssd0323::grey_level(0xFFFF) == 15);
+/// template <hal::Bus Bus, hal::Clock Clock>
+/// using Oled = hal::Ssd0323<Bus, Clock>;
+/// ```
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -15,10 +23,10 @@ namespace spanline::hal {
 /// follow the SSD1325 datasheet, command table and command descriptions.
 namespace ssd0323 {
 
-inline constexpr std::uint8_t set_column_address = 0x15;
-inline constexpr std::uint8_t set_row_address = 0x75;
-inline constexpr std::uint8_t display_off = 0xAE;
-inline constexpr std::uint8_t display_on = 0xAF;
+inline constexpr std::uint8_t set_column_address = 0x15;  ///< first and last pair of columns follow
+inline constexpr std::uint8_t set_row_address = 0x75;     ///< first and last row follow
+inline constexpr std::uint8_t display_off = 0xAE;         ///< dark; the memory stays
+inline constexpr std::uint8_t display_on = 0xAF;          ///< shows the memory
 
 /// The controllers of this family need a few microseconds of reset; a longer pulse allows for slow edges.
 inline constexpr std::uint32_t reset_low_us = 1000;
@@ -82,14 +90,16 @@ inline std::span<const std::uint8_t> pack_in_place(std::span<std::uint16_t> pixe
 template <Bus BusType, Clock ClockType>
 class Ssd0323 {
  public:
-  static constexpr int width = 128;
-  static constexpr int height = 64;
-  static constexpr PixelOrder pixel_order = PixelOrder::native;
+  static constexpr int width = 128;                              ///< pixels
+  static constexpr int height = 64;                              ///< pixels
+  static constexpr PixelOrder pixel_order = PixelOrder::native;  ///< write() computes with them
   /// Serial clock cycle 250 ns (AC characteristics); no faster clock is known to be safe.
   static constexpr ClockRating clock_rating{.rated_hz = 4'000'000, .tolerated_hz = 4'000'000};
 
+  /// Both stay with the caller and must outlive the driver.
   Ssd0323(BusType& bus, ClockType& clock) : bus_(bus), clock_(clock) {}
 
+  /// Resets and sets the panel up, which stays dark; takes 101 ms. `bus_clock_too_high`, `bus_timeout`.
   DisplayStatus init() {
     state_ = State::off;
     is_on_ = false;
@@ -108,6 +118,7 @@ class Ssd0323 {
     return status;
   }
 
+  /// Display on, behind the first picture.
   DisplayStatus switch_on() {
     if (const DisplayStatus status = ready(); status != DisplayStatus::ok) return status;
     if (is_on_) return DisplayStatus::ok;
@@ -127,6 +138,7 @@ class Ssd0323 {
                            static_cast<std::uint8_t>(rectangle.y0), static_cast<std::uint8_t>(rectangle.y1 - 1)});
   }
 
+  /// Sends rows y0 .. y1 − 1; see Panel.
   DisplayStatus write(int y0, int y1, std::span<std::uint16_t> pixels) {
     const Window rows{0, y0, width, y1};
     if (!rows.fits(width, height)) return DisplayStatus::window_out_of_range;
@@ -136,6 +148,7 @@ class Ssd0323 {
     return bus_.pixels(ssd0323::pack_in_place(pixels.first(count)));
   }
 
+  /// Whether the last write is still on its way.
   [[nodiscard]] bool busy() const { return bus_.busy(); }
 
   /// Sleep switches the display off. The chip would still accept writes, but the driver refuses them, as for every

@@ -1,4 +1,13 @@
 #pragma once
+/// @file
+/// The driver of the ST7789.
+///
+/// ```cpp
+/// // Held upright, by a viewer whose module has its colour filters the other way round.
+/// template <hal::Bus Bus, hal::Clock Clock>
+/// using Upright = hal::St7789<hal::st7789::glass_240x320, Bus, Clock,
+///                              hal::MipiOptions{.orientation = hal::Orientation::portrait, .swap_red_blue = true}>;
+/// ```
 #include <array>
 #include <cstdint>
 
@@ -10,6 +19,7 @@ namespace spanline::hal {
 /// whose offsets depend on the orientation.
 namespace st7789 {
 
+/// 2.0" to 2.8": all of the memory.
 inline constexpr mipi::Glass glass_240x320{
     .memory_columns = 240, .memory_rows = 320, .column = 0, .row = 0, .width = 240, .height = 320};
 /// 1.3" and 1.54": the upper 240 rows.
@@ -24,15 +34,17 @@ inline constexpr mipi::Glass glass_135x240{
 /// The ST7789, a 240 × 320 RGB TFT controller (ST7789V datasheet, chapter 9), with IPS glass.
 template <mipi::Glass shown>
 struct St7789Chip {
+  /// What the glass shows of the chip's memory.
   static constexpr mipi::Glass glass = shown;
-  static constexpr bool wired_mirrored = false;
-  static constexpr bool filters_blue_first = false;
-  static constexpr bool shows_complement = true;  ///< IPS glass shows true colours with inversion on
-  static constexpr bool takes_rgb444 = true;
+  static constexpr bool wired_mirrored = false;      ///< memory column 0 is at the viewer's right
+  static constexpr bool filters_blue_first = false;  ///< the glass has its colour filters in the order BGR
+  static constexpr bool shows_complement = true;     ///< IPS glass shows true colours with inversion on
+  static constexpr bool takes_rgb444 = true;         ///< section 9.1.32: 12, 16 or 18 bits a pixel
   /// Serial write cycle 16 ns (section 7.4.3, 4-line serial interface); common modules run at 80 MHz.
   static constexpr ClockRating clock_rating{.rated_hz = 62'500'000, .tolerated_hz = 80'000'000};
   /// Read display ID (section 9.1.3). The answer is a dummy byte, then manufacturer, version and model.
   static constexpr std::uint8_t identity_command = 0x04;
+  /// What it answers, without the first byte, which means nothing.
   static constexpr std::array<std::uint8_t, 3> identity{0x85, 0x85, 0x52};
 
   /// From reset to a panel that is awake and dark, without the orientation. It starts with a software reset for boards
@@ -62,6 +74,7 @@ struct St7789Chip {
   static_assert(is_well_formed(init_table));
 };
 
+/// The driver over a bus and a clock of yours; see MipiPanel.
 template <mipi::Glass glass, Bus BusType, Clock ClockType, MipiOptions options = MipiOptions{}>
 using St7789 = MipiPanel<St7789Chip<glass>, BusType, ClockType, options>;
 
