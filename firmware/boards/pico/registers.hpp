@@ -37,8 +37,8 @@ inline void restart(std::uint32_t blocks) {
 }
 }  // namespace resets
 
-/// What the watchdog resets, a bit a block of the power-on state machine (section 2.13). After power-up no bit is set, and
-/// a watchdog that runs out resets nothing. The oscillators stay: a reset must not stop the clock that it runs on.
+/// What the watchdog resets, a bit a block of the power-on state machine (section 2.13). After power-up no bit is set,
+/// and a watchdog that runs out resets nothing. The oscillators stay: a reset must not stop the clock that it runs on.
 namespace power_on {
 inline constexpr std::uintptr_t watchdog_select = 0x40010008;
 inline constexpr std::uint32_t all_blocks = (1U << 17) - 1, ring_oscillator = 1U << 0, crystal_oscillator = 1U << 1;

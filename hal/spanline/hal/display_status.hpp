@@ -14,7 +14,7 @@ namespace spanline::hal {
 /// The result of a HAL call. With every value but `ok` the call has not done what it was asked to do, except where a
 /// value is called a warning.
 enum class [[nodiscard]] DisplayStatus : std::uint8_t{
-    ok,
+    ok,                   ///< done
     bus_timeout,          ///< the bus did not finish a transfer in time; the frame is abandoned
     bus_busy,             ///< a transfer is still in flight: wait until the bus is not busy
     bus_clock_too_high,   ///< the bus clock is above what the panel's table tolerates

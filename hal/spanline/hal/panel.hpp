@@ -43,7 +43,12 @@ struct Window {
 };
 
 /// How the panel is held, in quarter turns from its native portrait.
-enum class Orientation : std::uint8_t { portrait, landscape, portrait_flipped, landscape_flipped };
+enum class Orientation : std::uint8_t {
+  portrait,           ///< not turned
+  landscape,          ///< a quarter turn
+  portrait_flipped,   ///< upside down
+  landscape_flipped,  ///< three quarter turns
+};
 
 /// A display panel: a driver composed over a bus and a clock at compile time.
 ///

@@ -65,6 +65,7 @@ class Present {
         buffers_[static_cast<std::size_t>(buffer_count_++)].words = buffer;
     }
   }
+  /// The same with two buffers.
   Present(PanelType& panel, ClockType& clock, std::span<std::uint16_t> first, std::span<std::uint16_t> second,
           std::uint32_t timeout_us = default_timeout_us)
       : Present(panel, clock, std::array{first, second}, timeout_us) {}
