@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "spanline/frame/frame_settings.hpp"
-#include "spanline/frame/status.hpp"
 #include "spanline/memory/capacity.hpp"
+#include "spanline/memory/pool_peaks.hpp"
 #include "spanline/model/material.hpp"
 
 namespace spanline::test {
