@@ -4,10 +4,10 @@
 #include <spanline/frame/ready_made_traits.hpp>
 #include <vector>
 
-#include "prisms_mesh.hpp"
+#include "scenes/prisms_mesh.hpp"
+#include "scenes/torus_mesh.hpp"
 #include "spanline/world/submission_order.hpp"
 #include "support/ids_picture.hpp"
-#include "torus_mesh.hpp"
 
 namespace spanline::test {
 namespace {

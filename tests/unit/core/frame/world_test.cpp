@@ -4,8 +4,8 @@
 #include <spanline/frame/ready_made_traits.hpp>
 #include <vector>
 
+#include "scenes/torus_mesh.hpp"
 #include "support/ids_picture.hpp"
-#include "torus_mesh.hpp"
 
 namespace spanline::test {
 namespace {
