@@ -121,7 +121,7 @@ std::string fault_in(const Case& drawn) {
     fault = contract::difference(contract::brute_force(scene), want);
   if (!fault.empty()) return "the reference: " + fault + "\n" + contract::text_of(scene);
   for (const AlgorithmEntry& entry : contract::algorithms_for(scene)) {
-    if (contract::entry.exactness != Exactness::exact) continue;
+    if (entry.exactness != Exactness::exact) continue;
     const contract::Drawing got = contract::draw(entry, scene, drawn.manner);
     fault = got.status.ok() ? contract::difference(want, got) : "a pool that was large enough ran full";
     if (fault.empty() && got.shades_once && got.counters.named("shaded") != scene.pixel_count())
