@@ -22,6 +22,7 @@ namespace spanline {
 template <class Traits>
 struct FramePools {
   using Set = ShaderSet<Traits>;  ///< what the list of shaders contains
+  /// Whether the visibility algorithm works in the world, and so instances are kept as they stand there.
   static constexpr bool needs_world = BandDrawer<Traits>::Visibility::needs == AlgorithmNeeds::world;
 
   std::span<PolygonGroup> groups;             ///< one for each instance, for visibility
