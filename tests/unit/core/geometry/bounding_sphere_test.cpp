@@ -53,7 +53,7 @@ TEST(BoundingSphere, IsNotOutsideWhereAPointInsideTouchesTheBorder) {
     // In sixteenths of a pixel, to which culling rounds it; planes so far away that a unit of view space counts.
     view.camera.focal = Q16_16::from_raw(random.between(8 * 16, 4096 * 16) << 12);
     view.camera.far_plane = Q16_16::from_int(1 << random.between(6, 14));
-    const double z = std::exp2(random.real(0, std::log2(real(view.camera.far_plane)) - 0.1)),
+    const double z = std::exp2(random.real(0, static_cast<double>(std::log2(real(view.camera.far_plane))) - 0.1)),
                  focal = std::ldexp(view.camera.focal.raw(), -16);
     const double half_x = view.viewport.width * 0.5 / focal * z, half_y = view.viewport.height * 0.5 / focal * z;
     Transform transform;
