@@ -8,6 +8,7 @@ namespace spanline {
 /// The band of the picture that is being drawn: rows [first_row, end_row) of the picture, in a buffer of whole lines.
 template <class Depth, class Pixel>
 struct BandTarget {
+  using Plain = BandTarget;                ///< for targets that add to it: the part that kernels know the layout of
   typename Depth::Word* depth;             ///< depths of the band, line by line; null if the algorithm keeps no depth
   Pixel* pixels;                           ///< colours of the band, line by line
   std::int32_t width;                      ///< pixels of a line, 1 … 2047

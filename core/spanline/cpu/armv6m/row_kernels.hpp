@@ -21,9 +21,10 @@ inline constexpr bool flat_surface = [] {
 
 template <class Target>
 [[nodiscard]] const BandTargetWords* words(const Target& target) {
-  static_assert(offsetof(Target, depth) == 0 && offsetof(Target, pixels) == 4 && offsetof(Target, width) == 8 &&
-                offsetof(Target, first_row) == 12);
-  return reinterpret_cast<const BandTargetWords*>(&target);
+  using Plain = typename Target::Plain;
+  static_assert(offsetof(Plain, depth) == 0 && offsetof(Plain, pixels) == 4 && offsetof(Plain, width) == 8 &&
+                offsetof(Plain, first_row) == 12);
+  return reinterpret_cast<const BandTargetWords*>(static_cast<const Plain*>(&target));
 }
 
 /// Draws the rows of a small or medium triangle in one pixel value.
