@@ -26,7 +26,7 @@ FrameSettings bright_settings(FrameSettings settings) {
 template <class Traits>
 Picture<Traits> drawn(const Mesh& mesh, const Material& material, const FrameSettings& settings) {
   Capacity capacity = wall_capacity;
-  if constexpr (Traits::Shaders::see_through) capacity.layers = 2u * capacity.width * capacity.height;
+  if constexpr (Traits::Shaders::see_through) capacity.fragments = 2u * capacity.width * capacity.height;
   Studio<Traits> studio(capacity);
   studio.begin(settings);
   studio.add(mesh, {}, material);
