@@ -76,11 +76,18 @@ class DisplaySink {
   /// Whether acquire() would return at once.
   bool available(unsigned buffer) { return present_.available(static_cast<int>(buffer)); }
   /// Starts to fill `count` words; see Filler.
-  void fill(std::uint16_t value, std::uint32_t count, std::uint16_t* words) requires Filler<FillerType> {
-    filler_.fill(value, count, words);
+  void fill([[maybe_unused]] std::uint16_t value, [[maybe_unused]] std::uint32_t count,
+            [[maybe_unused]] std::uint16_t* words) requires Filler<FillerType> {
+    // clang instantiates the body with the class, whatever the constraint says.
+    if constexpr (Filler<FillerType>) filler_.fill(value, count, words);
   }
   /// Waits until all of it has ended; false where it does not.
-  bool filled() requires Filler<FillerType> { return filler_.filled(); }
+  bool filled() requires Filler<FillerType> {
+    if constexpr (Filler<FillerType>)
+      return filler_.filled();
+    else
+      return true;
+  }
   /// Hands a finished band to the panel; false where the frame is given up. A band that is not as wide as the panel is
   /// `window_out_of_range`.
   template <class Band>
