@@ -34,8 +34,9 @@ TEST(ApiFrames, ReachEveryStatus) {
   for (const Status& status : told)
     seen.insert({status.fault, status.fault == Fault::bad_configuration ? Pool::none : status.pool});
   // Links of 32 bits number more triangles than a call can have: Fault::too_many_triangles is for firmware alone.
-  for (const Fault fault : {Fault::none, Fault::bad_configuration, Fault::bad_planes, Fault::bad_focal, Fault::no_frame,
-                            Fault::shader_missing, Fault::sink_failed})
+  for (const Fault fault :
+       {Fault::none, Fault::bad_configuration, Fault::bad_planes, Fault::bad_focal, Fault::too_many_lights,
+        Fault::no_frame, Fault::bad_step, Fault::shader_missing, Fault::sink_failed})
     EXPECT_TRUE(seen.contains({fault, Pool::none})) << to_string(fault);
   for (const Pool pool : {Pool::memory, Pool::instances, Pool::vertices, Pool::shades, Pool::textures, Pool::polygons,
                           Pool::fans, Pool::active, Pool::awake, Pool::fragments, Pool::layers})

@@ -67,14 +67,6 @@ TEST(Flat, LightFromBehindGivesNothing) {
   EXPECT_EQ(drawn_pixel(random, {Fixed<16>{}, lights}, {}, PackedNormal(0, 0, 511), {255, 255, 255}, false), 0);
 }
 
-TEST(Flat, AFifthLightIsIgnored) {
-  Random random(4);
-  std::vector<DirectionalLight> lights(4, DirectionalLight{{{}, {}, Q2_30::from_int(1)}, Fixed<16>::from_ratio(1, 10)});
-  const auto four = drawn_pixel(random, {Fixed<16>{}, lights}, {}, PackedNormal(0, 0, 511), {255, 255, 255}, false);
-  lights.push_back({{{}, {}, Q2_30::from_int(1)}, Fixed<16>::from_int(1)});
-  EXPECT_EQ(drawn_pixel(random, {Fixed<16>{}, lights}, {}, PackedNormal(0, 0, 511), {255, 255, 255}, false), four);
-}
-
 TEST(Flat, WithoutNormalsSurfacesAreFullyLit) {
   Random random(5);
   ShadedTriangle t(random);
