@@ -106,9 +106,16 @@ struct GeneralShader {
       const Texture& texture = *texturing.texture;
       const auto vertex = [&](unsigned i) { return group.textured->vertices[gradients.index(corners[i])]; };
       const std::array<TextureVertex, 3> vertices{vertex(0), vertex(1), vertex(2)};
-      const TexturePlaneValues values =
-          texture_plane_values(vertices, texturing.mapping, {texture.log2_width, texture.log2_height, 16, 16});
+      const FarAxes far = FarAxes::of(texture, vertices);
+      const TexelScale scale{texture.log2_width, texture.log2_height, FarAxes::fraction(far.u),
+                             FarAxes::fraction(far.v)};
+      const TexturePlaneValues values = far.any() ? far_texture_plane_values(vertices, texturing.mapping, scale)
+                                                  : texture_plane_values(vertices, texturing.mapping, scale);
       fit_texture_plane(gradients, values, surface.plane);
+      if (far.any()) {
+        surface.plane.way = TexturePlane::Way::exact_far;
+        surface.plane.far = far;
+      }
       surface.density = texel_density(corners, vertices, texture, values);
     }
     surface.nearness = {};

@@ -44,8 +44,10 @@ constexpr std::array<std::uint16_t, 256> straightening = [] {
 /// alpha says whether a texel is present, colours are weighted by alpha too; otherwise the colour of absent texels
 /// would show at the edges of present ones.
 Sample bilinear(const TexelSource& source, std::uint32_t u, std::uint32_t v, bool by_alpha) {
-  constexpr std::int32_t half = 1 << 15;
-  const std::int32_t x = (signed_word(u) >> source.level) - half, y = (signed_word(v) >> source.level) - half;
+  // From the centres of texels; modulo 2^32, because the words of repeated textures wrap.
+  constexpr std::uint32_t half = 1 << 15;
+  const std::int32_t x = signed_word(word(signed_word(u) >> source.level) - half),
+                     y = signed_word(word(signed_word(v) >> source.level) - half);
   const std::int32_t right = (x >> 8) & 255, down = (y >> 8) & 255, column = x >> 16, row = y >> 16;
   const Sample corner[4] = {sample_of(texel_at(source, column, row)), sample_of(texel_at(source, column + 1, row)),
                             sample_of(texel_at(source, column, row + 1)),

@@ -64,7 +64,7 @@ CertainBlocks::CertainBlocks(const TexturePlane& plane, std::int32_t column, std
     take_affine();
     return;
   }
-  certain_ = plane.way == TexturePlane::Way::blocks && (plane.shift_u | plane.shift_v) >= 0;
+  certain_ = plane.way == TexturePlane::Way::blocks;
   if (!certain_) return;
   const std::uint32_t start_w = plane.w.at_origin + plane.w.dx * start, start_u = plane.u.at_origin + du_ * start,
                       start_v = plane.v.at_origin + dv_ * start;

@@ -36,15 +36,16 @@ class TextureBlocks {
   /// The state at the end of a block.
   struct Node {
     std::uint32_t w;
-    std::uint32_t u, v;              ///< texture coordinates
-    std::uint32_t share_u, share_v;  ///< u/w and v/w, Q30
-    bool valid;                      ///< w is positive, and u/w and v/w are in [0, 1]
+    std::uint32_t u, v;  ///< texture coordinates
+    bool valid;          ///< w is positive, and u/w and v/w are in [0, 1]
   };
   void divide(Node& node, std::uint32_t u, std::uint32_t v) const;
   [[nodiscard]] Node node_at(std::int32_t column) const;
   void divide();
   void next_division();
   void begin_block(std::int32_t column);
+  [[nodiscard]] bool chords_fit(std::int32_t column, std::int32_t bow) const;
+  [[nodiscard]] bool chords_fit(std::int32_t column, std::int32_t bow, const LinearFunction& function, int shift) const;
 
   const TexturePlane& plane_;
   std::int32_t column_;

@@ -70,6 +70,19 @@ struct Axis {
   }
 };
 
+/// w at the corners, normalised so that the greatest fills 24 bits.
+void set_w(const std::array<TextureVertex, 3>& corners, TexturePlaneValues& values) {
+  const std::uint32_t greatest = std::max({corners[0].nearness, corners[1].nearness, corners[2].nearness});
+  const int zeros = leading_zeros_32(greatest);
+  for (unsigned i = 0; i < 3; ++i)
+    values.w[i] = std::clamp<std::int32_t>(signed_word((corners[i].nearness << zeros) >> 8), 64, (1 << 24) - 1);
+}
+void set_perspective(const Axis& s, const Axis& t, const TexelScale& scale, TexturePlaneValues& values) {
+  values.bits = perspective_bits;
+  s.perspective(scale.log2_width, scale.fraction_u, values.w, values.u, values.base_u, values.shift_u);
+  t.perspective(scale.log2_height, scale.fraction_v, values.w, values.v, values.base_v, values.shift_v);
+}
+
 }  // namespace
 
 TexturePlaneValues texture_plane_values(const std::array<TextureVertex, 3>& corners, TextureMapping mapping,
@@ -77,10 +90,7 @@ TexturePlaneValues texture_plane_values(const std::array<TextureVertex, 3>& corn
   TexturePlaneValues values{};
   const auto& [a, b, c] = corners;
   const Axis s(a.s, b.s, c.s), t(a.t, b.t, c.t);
-  const std::uint32_t greatest = std::max({a.nearness, b.nearness, c.nearness});
-  const int zeros = leading_zeros_32(greatest);
-  for (unsigned i = 0; i < 3; ++i)
-    values.w[i] = std::clamp<std::int32_t>(signed_word((corners[i].nearness << zeros) >> 8), 64, (1 << 24) - 1);
+  set_w(corners, values);
   const auto [low, high] = std::minmax({values.w[0], values.w[1], values.w[2]});
   // Affine mapping differs from perspective most near the middle of the polygon, by span · (high − low) / (2 (high +
   // low)). Up to 1/32 texel is accepted.
@@ -94,10 +104,20 @@ TexturePlaneValues texture_plane_values(const std::array<TextureVertex, 3>& corn
     t.affine(scale.log2_height, scale.fraction_v, values.v, values.base_v, values.shift_v);
     return values;
   }
-  values.way = TexturePlane::Way::blocks;
-  values.bits = perspective_bits;
-  s.perspective(scale.log2_width, scale.fraction_u, values.w, values.u, values.base_u, values.shift_u);
-  t.perspective(scale.log2_height, scale.fraction_v, values.w, values.v, values.base_v, values.shift_v);
+  set_perspective(s, t, scale, values);
+  values.way =
+      signed_word(values.shift_u | values.shift_v) < 0 ? TexturePlane::Way::wide_blocks : TexturePlane::Way::blocks;
+  return values;
+}
+
+TexturePlaneValues far_texture_plane_values(std::array<TextureVertex, 3> corners, TextureMapping mapping,
+                                            const TexelScale& scale) {
+  TexturePlaneValues values{};
+  auto& [a, b, c] = corners;
+  if (mapping == TextureMapping::affine) a.nearness = b.nearness = c.nearness;
+  set_w(corners, values);
+  set_perspective({a.s, b.s, c.s}, {a.t, b.t, c.t}, scale, values);
+  values.way = TexturePlane::Way::exact_far;
   return values;
 }
 

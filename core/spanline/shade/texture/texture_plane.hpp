@@ -6,6 +6,7 @@
 #include "spanline/model/material.hpp"
 #include "spanline/raster/linear_function.hpp"
 #include "spanline/raster/texture_vertex.hpp"
+#include "spanline/shade/texture/far_axes.hpp"
 
 namespace spanline {
 
@@ -19,9 +20,11 @@ namespace spanline {
 /// that its words are invalid.
 struct TexturePlane {
   enum class Way : std::uint8_t {
-    affine,  ///< u and v are the texture coordinates themselves
-    blocks,  ///< w, u and v are 30-bit words of 1/z, u/z and v/z; one division a block
-    exact,   ///< the same words, too steep for blocks; one division a pixel
+    affine,       ///< u and v are the texture coordinates themselves
+    blocks,       ///< w, u and v are 30-bit words of 1/z, u/z and v/z; one division a block
+    wide_blocks,  ///< the same; coordinates at both ends of a block may differ by more than a word
+    exact,        ///< the same words, too steep for blocks; one division a pixel
+    exact_far,    ///< the same, brought near along the plane's far axes
   };
 
   LinearFunction w, u, v;
@@ -29,6 +32,7 @@ struct TexturePlane {
   std::int8_t shift_u, shift_v;  ///< right shift from u/w in Q30 to the texture coordinate; a left shift if negative
   std::int16_t origin;           ///< screen column of column 0
   Way way;
+  FarAxes far;  ///< of exact_far alone
 
   void next_row() {
     w.next_row();
@@ -56,12 +60,15 @@ struct TexturePlaneValues {
 /// fraction bits, both modulo 2^32.
 struct TexelScale {
   int log2_width, log2_height;
-  int fraction_u, fraction_v;  ///< [9, 24]
+  int fraction_u, fraction_v;  ///< [8, 24]
 };
 
 /// The values for a triangle with these corners.
 [[nodiscard]] TexturePlaneValues texture_plane_values(const std::array<TextureVertex, 3>& corners,
                                                       TextureMapping mapping, const TexelScale& scale);
+/// The same for a plane with far axes: every pixel divides, on an affine one as well.
+[[nodiscard]] TexturePlaneValues far_texture_plane_values(std::array<TextureVertex, 3> corners, TextureMapping mapping,
+                                                          const TexelScale& scale);
 
 /// Fits a texture plane to the values by a polygon's gradients.
 template <class Gradients>

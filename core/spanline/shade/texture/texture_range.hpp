@@ -15,10 +15,4 @@ namespace spanline::texture_range {
 /// quarter.
 [[nodiscard]] inline bool gentle(std::uint32_t fall, std::uint32_t w) { return magnitude(signed_word(fall)) <= w >> 2; }
 
-/// Whether chords may lead from one coordinate to another, given in Q30 and to be shifted to the right by `shift`: a
-/// distance of 2^30 and more, of some hundred texels a pixel, is not what is left of it modulo 2^32.
-[[nodiscard]] inline bool chords_reach(std::uint32_t from, std::uint32_t to, int shift) {
-  return shift >= 0 || magnitude(signed_word(to - from)) >> (30 + shift) == 0;
-}
-
 }  // namespace spanline::texture_range

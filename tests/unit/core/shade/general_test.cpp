@@ -57,6 +57,50 @@ TEST(GeneralShader, EveryFormatShowsItsTexelsRepeatedOrClamped) {
     }
 }
 
+TEST(GeneralShader, ClampedTexturesDoNotAppearAgainFarBeyondTheirEdges) {
+  Random random(48);
+  OwnTexture own(random, TexelFormat::rgb565, Texture::max_log2_size, 0);
+  own.texture.wrap_s = Wrap::clamp;
+  const std::uint16_t first = own.words.front(), last = own.words.back();
+  for (const int scale : {20, 400, 2000})
+    for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear})
+      for (const TextureMapping mapping : {TextureMapping::perspective, TextureMapping::affine}) {
+        Material material{
+            .texturing = {
+                .texture = &own.texture, .function = TextureFunction::replace, .filter = filter, .mapping = mapping}};
+        material.texture_matrix.ss = Q16_16::from_int(scale);
+        material.texture_matrix.s0 = Q16_16::from_int(-scale / 2);
+        const auto picture = wall<GeneralAlone<>>(material, scenes::textured_wall::settings());
+        // The texture itself is a few columns wide. Affine planes have it elsewhere, and on a slope.
+        const double wide = 1 + scale / 60.0;
+        int others = 0;
+        for (int y = 0; y < 240; ++y)
+          for (int x = 0; x < 320; ++x) {
+            const std::uint16_t shown = picture.pixels[picture.at(x, y)];
+            others += shown != first && shown != last;
+            if (mapping == TextureMapping::affine) continue;
+            const double s = scale * (wall_point(x, y)[0] - 0.5);
+            if (s < -wide) ASSERT_EQ(shown, first) << scale << ": " << x << ", " << y;
+            if (s > wide) ASSERT_EQ(shown, last) << scale << ": " << x << ", " << y;
+          }
+        EXPECT_LE(others, 240 * (4 + 700 / scale)) << scale;
+      }
+}
+
+TEST(GeneralShader, BilinearTexelsAtTheEndOfWordsDoNotOverflow) {
+  Random random(49);
+  const OwnTexture own(random, TexelFormat::rgb565, Texture::max_log2_size, 0);
+  // All pixels are at s = −16 textures, −2^31 in words of 16.16 texels, and so between the last texel and the first.
+  Material material{
+      .texturing = {.texture = &own.texture, .function = TextureFunction::replace, .filter = TextureFilter::bilinear}};
+  material.texture_matrix.ss = {};
+  material.texture_matrix.s0 = Q16_16::from_int(-16);
+  const auto at_end = wall<GeneralAlone<>>(material, scenes::textured_wall::settings());
+  material.texture_matrix.s0 = {};
+  const auto at_zero = wall<GeneralAlone<>>(material, scenes::textured_wall::settings());
+  EXPECT_EQ(at_end.pixels, at_zero.pixels);
+}
+
 TEST(GeneralShader, FogThickensWithTheDistanceAlongTheAxisOfView) {
   FrameSettings settings = scenes::textured_wall::settings();
   const Material black{.colour = {0, 0, 0}};
