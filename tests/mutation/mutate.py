@@ -35,7 +35,7 @@ RECORD = ROOT / "docs/mutants.md"
 # Programs of tests that know core, those that fail most often for their time first, and the program of each room.
 PROGRAMS = ("golden", "unit_core_geometry", "unit_core_raster", "unit_core_frame", "unit_core_shade", "unit_core_visibility",
             "contract", "unit_core_model", "unit_core_math", "unit_core_lectures", "selftest", "fuzz_bytes")
-OF_ROOM = {"finish": "unit_core_shade", "pixel": "unit_core_shade", "cpu": "unit_core_shade", "memory": "unit_core_frame"}
+OF_ROOM = {"finish": "unit_core_shade", "pixel": "unit_core_shade", "cpu": "unit_core_shade", "memory": "unit_core_frame", "world": "unit_core_frame"}
 
 MOST_MEMORY = 8 << 30
 MOST_WALL_SECONDS = 1800  # for threads that wait for one another

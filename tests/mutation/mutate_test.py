@@ -60,6 +60,10 @@ class Tables(unittest.TestCase):
             self.assertIn(program, mutate.PROGRAMS)
         self.assertEqual(mutate.stale_entries(), [])
 
+    def test_every_room_has_a_program_of_its_own(self):
+        rooms = {mutation.room for mutation in mutate.places.places(mutate.ROOT)}
+        self.assertEqual([room for room in rooms if mutate.programs_for(room)[0] not in mutate.PROGRAMS], [])
+
 
 if __name__ == "__main__":
     unittest.main()
