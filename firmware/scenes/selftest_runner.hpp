@@ -6,20 +6,13 @@
 #include <type_traits>
 
 #include "scenes/crc32.hpp"
+#include "scenes/selftest_result.hpp"
 #include "scenes/selftest_table.hpp"
 #include "spanline/frame/ready_made_traits.hpp"
 #include "spanline/frame/renderer.hpp"
 #include "spanline/memory/arena.hpp"
 
 namespace spanline::scenes {
-
-/// What became of a run.
-struct SelftestResult {
-  Status status;            ///< of the first call that failed
-  std::uint32_t crc = 0;    ///< of the picture, line by line
-  std::uint32_t depth = 0;  ///< the CRC of its depths
-  std::uint32_t drawn = 0;  ///< triangles that were neither outside nor culled
-};
 
 namespace selftest_detail {
 
@@ -50,8 +43,12 @@ struct Layout {
       if (wanted.fragments != 0) wanted.layers = scene.awake;
       return wanted;
     }
-    if (band == wanted.height) {
-      wanted.colour_bands = 1;
+    if (band == wanted.height) wanted.colour_bands = 1;
+    if (!std::is_same_v<typename Traits::Visibility, ZBuffer>) {
+      // By rule (selftest_registry.hpp): what pools may hold at most, since nobody has stated less.
+      wanted.active = wanted.awake = wanted.polygons;
+      if (wanted.fragments != 0) wanted.layers = wanted.polygons;
+    } else if (band == wanted.height) {
       wanted.active = 0;
     }
     return wanted;

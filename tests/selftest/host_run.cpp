@@ -58,6 +58,13 @@ HostPicture draw_on_host(const scenes::SelftestScene& scene, const scenes::Selft
   return picture;
 }
 
+scenes::SelftestResult draw_on_host(const AlgorithmEntry& entry, const scenes::SelftestScene& scene,
+                                    std::uint16_t band) {
+  const scenes::RegistryDrawer drawer = scenes::registry_drawer_of(entry);
+  std::vector<std::uint64_t> words(drawer.bytes(scene, band) / sizeof(std::uint64_t) + 1);
+  return drawer.draw(scene, band, selftest_models(), std::as_writable_bytes(std::span(words)));
+}
+
 std::vector<Rgb888> colours_of(const HostPicture& picture, const scenes::SelftestRun& run) {
   const bool swapped = run.renderer == SelftestRenderer::swapped_16;
   std::vector<Rgb888> colours;

@@ -63,6 +63,14 @@ void run(const Options& options) {
                                   if (!options.pictures.empty() && &run == scene.runs.data())
                                     write(options.pictures + "/" + scene.name + ".png", picture_of(scene, run, drawn));
                                 });
+  scenes::for_each_registry_run(
+      options.memory, [](const AlgorithmEntry& entry, const scenes::SelftestScene& scene, std::uint16_t band) {
+        const scenes::SelftestResult result = test::draw_on_host(entry, scene, band);
+        std::printf("selftest %s %s 24-layers %u %08x %08x\n", scene.name, entry.name, unsigned{band}, result.crc,
+                    result.depth);
+        if (!result.status.ok())
+          throw std::runtime_error(std::string(scene.name) + " by " + entry.name + ": a pool is full");
+      });
 }
 
 }  // namespace

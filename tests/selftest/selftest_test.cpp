@@ -59,6 +59,24 @@ TEST(SelftestScenes, EveryRunOfASceneDrawsTheSamePicture) {
   });
 }
 
+/// So do the exact algorithms beyond the table; at least half of its scenes are theirs.
+TEST(SelftestScenes, EveryAlgorithmDrawsThePictureOf24Bits) {
+  std::map<std::string, std::uint32_t> pictures;
+  scenes::for_each_selftest_run(all_memory, [&](const SelftestScene& scene, const SelftestRun& run) {
+    if (scenes::is_for_every_algorithm(scene) && has_24_bits(run.renderer) && !pictures.contains(scene.name))
+      pictures[scene.name] = test::draw_on_host(scene, run).result.crc;
+  });
+  EXPECT_GE(2 * pictures.size(), scenes::selftest_scenes.size());
+  scenes::for_each_registry_run(
+      all_memory, [&](const AlgorithmEntry& entry, const SelftestScene& scene, std::uint16_t band) {
+        const scenes::SelftestResult result = test::draw_on_host(entry, scene, band);
+        EXPECT_TRUE(result.status.ok()) << scene.name << " by " << entry.name;
+        if (entry.exactness == Exactness::exact) {
+          EXPECT_EQ(result.crc, pictures.at(scene.name)) << scene.name << " by " << entry.name;
+        }
+      });
+}
+
 /// The share of a picture that is covered, in percent.
 int covered_percent(const SelftestScene& scene, const SelftestRun& run) {
   const std::vector<bool> covered = test::draw_on_host(scene, run).covered;
