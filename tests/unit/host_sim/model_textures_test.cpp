@@ -73,6 +73,23 @@ TEST_F(ModelTexturesTest, ObjPartsWearTheirMaterialsImagesTimesTheirColours) {
     expect_near(drawn(model, {"--visibility", algorithm.name}), {red, {255, 128, 0}, blue, {255, 128, 0}});
 }
 
+TEST_F(ModelTexturesTest, TheLargestTextureShowsAllItsRowsOnceAndRepeated) {
+  make_file("large.png", quarters(four_colours, 1024));
+  expect_near(drawn(square("map_Kd large.png\n")), {red, green, blue, white});
+  // Sixteen times each way on 32 pixels: every quarter is one pixel.
+  make_file("small.png", quarters(four_colours, 256));
+  make_file("m.mtl", "newmtl a\nKd 1 1 1\nmap_Kd small.png\n");
+  const std::string repeated = make_file("a.obj",
+                                         "mtllib m.mtl\nusemtl a\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\n"
+                                         "vt 16 0\nvt 16 16\nvt 0 16\nf 1/1 2/2 3/3 4/4\n");
+  ASSERT_EQ(draw(repeated).exit_code, 0);
+  const Picture picture = read_png(in_folder("out.png"));
+  for (int y = 0; y < 32; y += 2)
+    for (int x = 0; x < 32; x += 2)
+      expect_near({picture.at(x, y), picture.at(x + 1, y), picture.at(x, y + 1), picture.at(x + 1, y + 1)},
+                  {red, green, blue, white});
+}
+
 TEST_F(ModelTexturesTest, GltfImagesLieBesideItOrInsideAndTakeItsSampler) {
   make_file("my image.png", quarters(four_colours));
   for (const std::string& uri : {std::string("my%20image.png"), data_uri(quarters(four_colours))}) {

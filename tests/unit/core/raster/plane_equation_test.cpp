@@ -4,8 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 #include "spanline/raster/triangle_setup.hpp"
 #include "support/effort.hpp"
+#include "support/exact_triangle.hpp"
 #include "support/triangle_kinds.hpp"
 
 namespace spanline::test {
@@ -83,6 +87,40 @@ TEST(PlaneEquation, DoesNotDependOnTheOrderOfOrientation) {
     if (plane.doubled_area() == 0) continue;
     const auto top_rows_differ = v[0].y != v[1].y && v[1].y != v[2].y && v[2].y != v[0].y;
     if (top_rows_differ) expect_same(plane.depth<Depth16<>>(), turned.depth<Depth16<>>(), corners);
+  }
+}
+
+/// Values of any size at corners anywhere in the guard band, for pictures of any size: each word is the quotient of
+/// exact integers, modulo 2^32, to a unit and what slopes of whole guard units lose on the way from the middle.
+TEST(PlaneEquation, FitsAnyValuesAtAnyCornersInWordsThatDoNotOverflow) {
+  Random random(62);
+  for (int i = 0; i < rounds(6000); ++i) {
+    const Viewport any{random.chance(3) ? 2047 : random.between(1, 2047),
+                       random.chance(3) ? 2047 : random.between(1, 2047)};
+    const int bits = std::array{16, 24, 26, 28}[static_cast<std::size_t>(random.between(0, 3))];
+    TriangleMaker make(static_cast<std::uint32_t>(random.between(0, 1 << 30)), any.width, any.height, 0,
+                       (1 << bits) - 1);
+    Corners corners = make(all_triangle_kinds[static_cast<std::size_t>(random.between(0, 10))]);
+    for (Corner& corner : corners)
+      if (random.chance(3)) corner.z = random.chance(2) ? 0 : (1 << bits) - 1;
+    const std::vector<ScreenVertex> v = vertices_of({&corners, 1}, 16, any.width, any.height);
+    const PlaneEquation plane(&v[0], &v[1], &v[2], v.data(), any);
+    if (plane.doubled_area() == 0) continue;
+    const auto at = [&](unsigned k) { return corners[plane.index(plane.corners()[k])].z; };
+    LinearFunction function{};
+    plane.fit_fine({at(0), at(1), at(2)}, bits, function);
+    const ExactTriangle exact(corners);
+    const double guard = std::exp2(32 - bits), drift = any.width / 4.0 + any.height / 4.0;
+    int looked_at = 0;
+    for (int tries = 0; tries < 60 && looked_at < 6; ++tries) {
+      const int x = random.between(0, any.width - 1), y = random.between(0, any.height - 1);
+      if (!exact.covers(x, y)) continue;
+      ++looked_at;
+      LinearFunction row = function;
+      row.skip_rows(y);
+      const double off = std::remainder(row.at(x) - (exact.depth(x, y) + 0.5) * guard, 0x1p32);
+      ASSERT_LE(std::abs(off), 2 * guard + drift) << x << ", " << y << ' ' << corners << bits << " bits";
+    }
   }
 }
 
