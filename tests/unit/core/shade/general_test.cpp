@@ -80,8 +80,12 @@ TEST(GeneralShader, ClampedTexturesDoNotAppearAgainFarBeyondTheirEdges) {
             others += shown != first && shown != last;
             if (mapping == TextureMapping::affine) continue;
             const double s = scale * (wall_point(x, y)[0] - 0.5);
-            if (s < -wide) ASSERT_EQ(shown, first) << scale << ": " << x << ", " << y;
-            if (s > wide) ASSERT_EQ(shown, last) << scale << ": " << x << ", " << y;
+            if (s < -wide) {
+              ASSERT_EQ(shown, first) << scale << ": " << x << ", " << y;
+            }
+            if (s > wide) {
+              ASSERT_EQ(shown, last) << scale << ": " << x << ", " << y;
+            }
           }
         EXPECT_LE(others, 240 * (4 + 700 / scale)) << scale;
       }
