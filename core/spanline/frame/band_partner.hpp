@@ -76,7 +76,7 @@ class BandPartner {
   Status take_frame() {
     frame_ = status_.ok() ? renderer_.frame_ : status_;
     if (!frame_.ok()) return frame_;
-    table_ = renderer_.table_;
+    table_ = renderer_.submissions_.table();
     if constexpr (copies) {
       std::copy_n(table_.references.begin(), table_.polygon_count, references_.begin());
       std::copy(table_.buckets.begin(), table_.buckets.end(), buckets_.begin());

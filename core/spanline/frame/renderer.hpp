@@ -16,7 +16,6 @@
 ///   return renderer.draw([](const auto& band) { return send(band.y0, band.y1, band.pixels); });
 /// }
 /// ```
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -25,19 +24,12 @@
 #include "spanline/frame/band_drawer.hpp"
 #include "spanline/frame/frame_pools.hpp"
 #include "spanline/frame/frame_settings.hpp"
-#include "spanline/frame/instance_plan.hpp"
+#include "spanline/frame/statistics.hpp"
 #include "spanline/frame/status.hpp"
-#include "spanline/frame/surface_maker.hpp"
+#include "spanline/frame/submissions.hpp"
 #include "spanline/frame/traits.hpp"
-#include "spanline/geometry/instance.hpp"
-#include "spanline/geometry/polygon_assembly.hpp"
-#include "spanline/geometry/vertex_store.hpp"
 #include "spanline/memory/arena.hpp"
 #include "spanline/memory/capacity.hpp"
-#include "spanline/model/cull.hpp"
-#include "spanline/model/polygon_range.hpp"
-#include "spanline/raster/band_of_row.hpp"
-#include "spanline/raster/link.hpp"
 #include "spanline/visibility/counters.hpp"
 #include "spanline/world/submission_order.hpp"
 
@@ -45,12 +37,6 @@ namespace spanline {
 
 template <class Traits>
 class BandPartner;
-
-/// Counts of a frame: its polygons, and the work of the visibility algorithm if the traits ask for statistics.
-struct Statistics {
-  PolygonCounts polygons;         ///< how many were submitted, and how many were left out and why
-  VisibilityCounters visibility;  ///< work of the visibility algorithm; zeros without statistics
-};
 
 /// The main interface of the library: it takes the instances of a frame and then draws the frame band by band.
 ///
@@ -94,7 +80,7 @@ class Renderer {
     Arena arena = Arena::aligned(memory);
     typename BandDrawer<Traits>::Pools bands;
     if (status_.ok()) {
-      pools_.take(arena, capacity);
+      submissions_.take(arena, capacity);
       bands.take(arena, capacity);
       if (arena.overrun())
         status_ = {Fault::pool_full, Pool::memory, static_cast<std::uint32_t>(bytes_needed(capacity))};
@@ -103,12 +89,7 @@ class Renderer {
       frame_ = status_;
       return;
     }
-    table_.references = pools_.references;
-    table_.fans = pools_.fans;
-    table_.groups = pools_.groups;
-    table_.buckets = pools_.buckets;
     drawer_ = BandDrawer<Traits>(capacity, bands);
-    bucket_of_row_ = BandOfRow(Visibility::bucket_lines(capacity));
   }
 
   /// Whether the memory sufficed and the capacity is valid.
@@ -118,19 +99,14 @@ class Renderer {
   /// frame: nothing is added or drawn.
   Status begin(const FrameSettings& settings) {
     drawer_.forget_clears();
-    table_.clear();
-    counts_ = {};
+    submissions_.clear();
     counters_ = {};
     peaks_ = {};
-    pools_.used = {};
     bands_in_turn_ = 0;
     frame_ = status_.ok() ? check_settings(settings) : status_;
     if (!frame_.ok()) return frame_;
-    cull_ = settings.cull;
     background_ = Format::from(settings.background);
-    needs_ = {!settings.lighting.point_lights.empty(), settings.fog.curve != FogCurve::none, settings.dither};
-    surfaces_.begin(settings);
-    view_ = {settings.camera, viewport(), Depth::bits, Depth::nearest, Depth::farthest};
+    submissions_.begin(settings);
     return {};
   }
 
@@ -139,8 +115,7 @@ class Renderer {
   /// is kept, and the status names the pool and the size that the frame has needed so far.
   Status add(const Mesh& mesh, const Transform& transform, const Material& material) {
     if (!frame_.ok()) return frame_;
-    return place(mesh, transform, material, number_triangles(mesh.triangle_count()),
-                 [&](auto assemble) { assemble(PolygonRange::whole(mesh)); });
+    return submissions_.add(mesh, transform, material);
   }
 
   /// Adds instances, or parts of them, in the sequence of a submission order (world/submission_order.hpp). Triangles
@@ -150,43 +125,7 @@ class Renderer {
   template <SubmissionOrder Order>
   Status add_in_order(Order&& order, std::span<const OrderedInstance> instances) {
     if (!frame_.ok()) return frame_;
-    const std::uint32_t first_id = pools_.used.ids;
-    Status first_fault;
-    Submission next;
-    for (bool more = order.next(next); more;) {
-      const std::uint32_t number = next.instance;
-      Status status = Fault::bad_order;
-      bool taken = false;  // whether the order's entries of this instance have been visited
-      if (number < instances.size()) {
-        const OrderedInstance& instance = instances[number];
-        std::uint32_t id = first_id;
-        for (const OrderedInstance& before : instances.first(number))
-          id += static_cast<std::uint32_t>(before.mesh->triangle_count());
-        bool exist = true;
-        status = place(*instance.mesh, instance.transform, instance.material, id, [&](auto assemble) {
-          const PolygonRange whole = PolygonRange::whole(*instance.mesh);
-          taken = true;
-          do {
-            const PolygonRange part = next.whole ? whole : next.polygons;
-            const bool exists = part.first <= whole.count && part.count <= whole.count - part.first;
-            if (exists) assemble(part);
-            exist = exist && exists;
-            more = order.next(next);
-          } while (more && next.instance == number);
-        });
-        if (!exist) status = Fault::bad_order;
-      }
-      while (more && !taken) {
-        more = order.next(next);
-        if (more && next.instance != number) break;
-      }
-      // After the first fault, later instances may need more of the same pool.
-      const bool wants_more = status.fault == Fault::pool_full && status.pool == first_fault.pool;
-      if (first_fault.ok() || wants_more) first_fault = status;
-    }
-    pools_.used.ids = first_id;
-    for (const OrderedInstance& instance : instances) number_triangles(instance.mesh->triangle_count());
-    return first_fault;
+    return submissions_.add_in_order(order, instances);
   }
 
   /// Adds triangles in screen coordinates: three corners each, with outcodes set where they lie outside the viewport,
@@ -200,21 +139,7 @@ class Renderer {
   Status add_screen(std::span<const ScreenVertex> vertices, std::span<const std::uint16_t> colours,
                     const Material& material) {
     if (!frame_.ok()) return frame_;
-    if (needs_world) return Fault::no_world;
-    if (vertices.size() / 3 >= fan_flag) return Fault::too_many_triangles;
-    const std::uint32_t first_id = number_triangles(vertices.size() / 3);
-    const InstancePlan plan = plan_screen_triangles<Traits>(material);
-    if (plan.missing != MissingShader::none) return plan.missing;
-    if (const Status room = pools_.reserve_group(table_.group_count); !room.ok()) return room;
-
-    const Link number = open_group(plan, material, first_id);
-    PolygonGroup& group = table_.groups[number];
-    group.vertices = vertices.data();
-    group.scissored = true;
-    pools_.shading[number].screen_colours = colours.data();
-    PolygonAssembly assembly(table_, bucket_of_row_, viewport(), cull_);
-    assembly.run_screen(vertices);
-    return finish(assembly, 0, plan);
+    return submissions_.add_screen(vertices, colours, material);
   }
 
   /// With a FillingSink, between `begin` and `draw`: starts to clear the first band while instances are added. Returns
@@ -257,7 +182,7 @@ class Renderer {
   }
   /// Draws a band that was cleared. Of the sink, only `covered` is called.
   template <class Sink>
-  BandView draw_band(std::uint32_t band, Sink& sink) {
+  [[gnu::always_inline]] BandView draw_band(std::uint32_t band, Sink& sink) {
     if (band >= bands_in_turn_) return {};
     return drawer_.draw_band(scene(), band, sink);
   }
@@ -275,8 +200,8 @@ class Renderer {
   [[nodiscard]] std::span<Pixel> colour_band(unsigned buffer) const { return drawer_.colour_band(buffer); }
   /// Counts of the frame so far; complete once `draw` has returned.
   [[nodiscard]] Statistics statistics() const {
-    if constexpr (Traits::statistics) return {counts_, counters_};
-    return {counts_, {}};
+    if constexpr (Traits::statistics) return {submissions_.counts(), counters_};
+    return {submissions_.counts(), {}};
   }
   /// Bytes of each pool that the last frame used.
   [[nodiscard]] const PoolPeaks& peaks() const { return peaks_; }
@@ -286,20 +211,13 @@ class Renderer {
  private:
   friend class BandPartner<Traits>;
   struct NoCounters {};
-  struct NoWorld {};
   using Counters = std::conditional_t<Traits::statistics, VisibilityCounters, NoCounters>;
   using Visibility = typename BandDrawer<Traits>::Visibility;
-  using Set = ShaderSet<Traits>;
-  static constexpr bool needs_world = Visibility::needs == AlgorithmNeeds::world;
 
-  [[nodiscard]] Viewport viewport() const { return {capacity().width, capacity().height}; }
-  [[nodiscard]] BandScene<Pixel> scene() { return scene(table_, counters_); }
+  [[nodiscard]] BandScene<Pixel> scene() { return scene(submissions_.table(), counters_); }
   [[nodiscard]] BandScene<Pixel> scene(PolygonTable& table, Counters& counters) const {
-    BandScene<Pixel> scene{table, pools_.shading, background_, nullptr, nullptr};
+    BandScene<Pixel> scene{table, submissions_.shading(), background_, nullptr, submissions_.world()};
     if constexpr (Traits::statistics) scene.counters = &counters;
-    if constexpr (needs_world) {
-      scene.world = &world_;
-    }
     return scene;
   }
   template <class Sink>
@@ -313,102 +231,8 @@ class Renderer {
     return drawn;
   }
 
-  /// Numbers an instance's triangles. Triangles that are not drawn have numbers too.
-  std::uint32_t number_triangles(std::size_t count) {
-    const std::uint32_t first_id = pools_.used.ids;
-    pools_.used.ids += static_cast<std::uint32_t>(count);
-    return first_id;
-  }
-  template <class Parts>
-  Status leave_outside(const Mesh& mesh, Parts parts) {
-    parts([&](const PolygonRange& range) {
-      const std::uint32_t count = range.triangle_count(mesh);
-      counts_.total += count;
-      counts_.outside += count;
-    });
-    return {};
-  }
-  /// Opens a group as planned; there must be room for it. Its geometry and its light are added later.
-  Link open_group(const InstancePlan& plan, const Material& material, std::uint32_t first_id) {
-    const Link number = table_.group_count++;
-    table_.groups[number] = {nullptr, nullptr, table_.polygon_count, first_id, true, plan.see_through, plan.holes};
-    ShadingGroup& shading = pools_.shading[number];
-    shading.clear();
-    shading.first_id = first_id;
-    shading.shader = plan.shader;
-    surfaces_.set_layering(material, number, shading);
-    return number;
-  }
-
-  /// Transforms an instance to the screen and adds polygons of it to the table: those of each range for which
-  /// `parts(assemble)` calls assemble(range). `parts` is not called if no polygon can be visible.
-  template <class Parts>
-  Status place(const Mesh& mesh, const Transform& transform, const Material& material, std::uint32_t first_id,
-               Parts parts) {
-    const InstancePlan plan = plan_instance<Traits>(mesh, material, needs_, !Visibility::tests_depth);
-    if (plan.missing != MissingShader::none) return plan.missing;
-    const InstanceGeometry geometry(view_, mesh, transform);
-    if (geometry.placement() == Placement::outside) return leave_outside(mesh, parts);
-    if (const Status room = pools_.reserve(table_.group_count, mesh, plan); !room.ok()) return room;
-
-    VertexStore store = pools_.open_store(mesh, plan);
-    const Link number = open_group(plan, material, first_id);
-    PolygonGroup& group = table_.groups[number];
-    group.vertices = store.vertices.data();
-    group.indices = mesh.indices.data();
-    group.scissored = geometry.placement() != Placement::inside;
-    if constexpr (needs_world) {
-      pools_.placed[number] = {&mesh, transform, number};
-      world_ = {view_.camera, pools_.placed.first(table_.group_count)};
-    }
-    surfaces_.make(mesh, transform, material, plan, view_.camera, number, store, pools_);
-    return assemble(mesh, transform, material, plan, geometry, group, store, parts);
-  }
-
-  template <class Parts>
-  Status assemble(const Mesh& mesh, [[maybe_unused]] const Transform& transform,
-                  [[maybe_unused]] const Material& material, const InstancePlan& plan, const InstanceGeometry& geometry,
-                  const PolygonGroup& group, VertexStore& store, Parts parts) {
-    geometry.transform_vertices(store.vertices.data());
-    PolygonAssembly assembly(table_, bucket_of_row_, viewport(), cull_);
-    const Clipper clipper = geometry.clipper(plan.shades);
-    std::size_t room = store.vertices.size();
-    if (plan.shaded()) room = std::min(room, store.shades.size());
-    if (plan.textured()) room = std::min(room, store.textures.size());
-    store.vertices = store.vertices.first(room);
-    [[maybe_unused]] Nearness nearness;
-    TextureVertexMaker textures;
-    if constexpr (Set::has_textures) {
-      if (plan.textured()) {
-        nearness = geometry.nearness();
-        textures = TextureVertexMaker::for_instance(nearness);
-        make_texture_vertices(transform, material, plan, geometry, nearness, store);
-      }
-    }
-    const PolygonAssembly::ClipContext clip = geometry.clip_context(clipper, store, textures);
-    parts([&](const PolygonRange& range) { assembly.run(mesh, group.vertices, group.scissored, clip, range); });
-    pools_.close_store(store, plan);
-    return finish(assembly, store.wanted_vertices, plan);
-  }
-  static void make_texture_vertices(const Transform& transform, const Material& material, const InstancePlan& plan,
-                                    const InstanceGeometry& geometry, const Nearness& nearness, VertexStore& store) {
-    if (Set::has_volumes && plan.coordinates == CoordinateSource::solid)
-      geometry.make_volume_vertices(nearness, material.volume, store.textures.data(), store.thirds.data());
-    else if (plan.coordinates == CoordinateSource::sphere_map)
-      geometry.make_sphere_map_vertices(nearness, material.texture_matrix, transform.rotation, store.textures.data());
-    else
-      geometry.make_texture_vertices(nearness, material.texture_matrix, store.textures.data());
-  }
-
-  Status finish(const PolygonAssembly& assembly, std::uint32_t vertices_missing, const InstancePlan& plan) {
-    counts_.total += assembly.counts.total;
-    counts_.outside += assembly.counts.outside;
-    counts_.back += assembly.counts.back;
-    return pools_.missing(assembly, vertices_missing, plan);
-  }
-
   void note_peaks() {
-    peaks_ = pools_.taken(table_);
+    peaks_ = submissions_.taken();
     peaks_.colour_bands = drawer_.pools().colour.size_bytes();
     peaks_.depth_band = Visibility::tests_depth ? drawer_.pools().depth.size_bytes() : 0;
     drawer_.visibility().note_peaks(peaks_);
@@ -418,17 +242,9 @@ class Renderer {
   Status status_{};                  ///< of the capacity and the memory
   Status frame_{Fault::no_frame};    ///< why the frame cannot be added to and drawn, or ok
   std::uint32_t bands_in_turn_ = 0;  ///< all of them between start_bands and end_bands
-  FramePools<Traits> pools_{};
-  SurfaceMaker<Traits> surfaces_;
-  PolygonTable table_{};
-  BandOfRow bucket_of_row_{};
-  FrameNeeds needs_{};
-  Cull cull_{};
   Pixel background_{};
-  FrameView view_{};
-  PolygonCounts counts_{};
+  Submissions<Traits> submissions_;
   [[no_unique_address]] Counters counters_{};
-  [[no_unique_address]] std::conditional_t<needs_world, World, NoWorld> world_{};
   PoolPeaks peaks_{};
 };
 

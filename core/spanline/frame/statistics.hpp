@@ -1,0 +1,13 @@
+#pragma once
+#include "spanline/geometry/polygon_assembly.hpp"
+#include "spanline/visibility/counters.hpp"
+
+namespace spanline {
+
+/// Counts of a frame: its polygons, and the work of the visibility algorithm if the traits ask for statistics.
+struct Statistics {
+  PolygonCounts polygons;         ///< how many were submitted, and how many were left out and why
+  VisibilityCounters visibility;  ///< work of the visibility algorithm; zeros without statistics
+};
+
+}  // namespace spanline
