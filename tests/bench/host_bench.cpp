@@ -22,7 +22,12 @@ const Mesh& mesh = spanline_models::bunny;
 /// Room for the bunny: one band as high as the picture, or bands of 16 lines.
 constexpr Capacity capacity(std::uint16_t band_lines) {
   const auto vertices = static_cast<std::uint32_t>(spanline_models::bunny.vertex_count());
-  return {.band_lines = band_lines, .vertices = vertices, .shades = vertices, .polygons = 1600, .active = 100};
+  return {.band_lines = band_lines,
+          .vertices = vertices,
+          .shades = vertices,
+          .polygons = 1600,
+          .active = 100,
+          .awake = 100};
 }
 
 template <class Traits>

@@ -75,6 +75,15 @@ def one_constructor(functions):
     return functions
 
 
+def explicit_instances(functions):
+    """Where gcc instantiates a template explicitly, it puts the file before the name of the function; a call from another
+    file names the function alone."""
+    with_file = {title.rpartition(":")[2]: function for title, function in functions.items() if ":" in title and function.frame is not None}
+    for title in [t for t, f in functions.items() if f.frame is None and t in with_file]:
+        functions[title] = with_file[title]
+    return functions
+
+
 def plain_name(title):
     """A function's name without its class, templates and parameters, from its mangled one."""
     mangled = re.sub(r"\.part\.\d+$", "", title.rpartition(":")[2])
@@ -154,7 +163,7 @@ def main():
     arguments = parser.parse_args()
 
     files = [file for folder in arguments.folders for file in sorted(folder.rglob("*.ci"))]
-    functions = one_constructor(read_graph(files))
+    functions = explicit_instances(one_constructor(read_graph(files)))
     entries = [t for t, f in functions.items() if f.frame is not None and re.search(arguments.entry, f.name)]
     if not entries:
         sys.exit(f"stack.py: no function matches {arguments.entry!r} in {len(files)} call graphs")

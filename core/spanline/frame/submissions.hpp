@@ -212,22 +212,23 @@ class Submissions {
     if (plan.shaded()) room = std::min(room, store.shades.size());
     if (plan.textured()) room = std::min(room, store.textures.size());
     store.vertices = store.vertices.first(room);
+    PolygonAssembly::ClipContext clip = geometry.clip_context(clipper, store);
     [[maybe_unused]] Nearness nearness;
-    TextureVertexMaker textures;
     if constexpr (Set::has_textures) {
       if (plan.textured()) {
         nearness = geometry.nearness();
-        textures = TextureVertexMaker::for_instance(nearness);
+        clip.textures = TextureVertexMaker::for_instance(nearness);
         make_texture_vertices(transform, material, plan, geometry, nearness, store);
       }
     }
-    const PolygonAssembly::ClipContext clip = geometry.clip_context(clipper, store, textures);
     parts([&](const PolygonRange& range) { assembly.run(mesh, group.vertices, group.scissored, clip, range); });
     pools_.close_store(store, plan);
     return finish(assembly, store.wanted_vertices, plan);
   }
-  static void make_texture_vertices(const Transform& transform, const Material& material, const InstancePlan& plan,
-                                    const InstanceGeometry& geometry, const Nearness& nearness, VertexStore& store) {
+  /// Not inlined, so that its frame is gone from the stack before polygons are clipped.
+  [[gnu::noinline]] static void make_texture_vertices(const Transform& transform, const Material& material,
+                                                      const InstancePlan& plan, const InstanceGeometry& geometry,
+                                                      const Nearness& nearness, VertexStore& store) {
     if (Set::has_volumes && plan.coordinates == CoordinateSource::solid)
       geometry.make_volume_vertices(nearness, material.volume, store.textures.data(), store.thirds.data());
     else if (plan.coordinates == CoordinateSource::sphere_map)

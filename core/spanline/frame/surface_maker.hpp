@@ -33,9 +33,11 @@ class SurfaceMaker {
     }
   }
 
-  /// Fills in the data of group `number` as planned, and lights its vertices.
-  void make(const Mesh& mesh, const Transform& transform, const Material& material, const InstancePlan& plan,
-            const Camera& camera, Link number, const VertexStore& store, FramePools<Traits>& pools) {
+  /// Fills in the data of group `number` as planned, and lights its vertices. It is not inlined, so that
+  /// its frame is gone from the stack before polygons are clipped.
+  [[gnu::noinline]] void make(const Mesh& mesh, const Transform& transform, const Material& material,
+                              const InstancePlan& plan, const Camera& camera, Link number, const VertexStore& store,
+                              FramePools<Traits>& pools) {
     ShadingGroup& shading = pools.shading[number];
     shading.mesh = &mesh;
     shading.vertex_shades = store.shades.data();

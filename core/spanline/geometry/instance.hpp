@@ -22,9 +22,8 @@ class InstanceGeometry {
   /// The clipper and the context of clipping for this instance. The context refers to this object, to `clipper` and to
   /// `store`, which must outlive it.
   [[nodiscard]] Clipper clipper(vertex_shade::Kind shades) const { return {view_, transform_, shades}; }
-  [[nodiscard]] PolygonAssembly::ClipContext clip_context(const Clipper& clipper, VertexStore& store,
-                                                          TextureVertexMaker textures = {}) const {
-    return {&clipper, &transform_, &projection_, textures, &store};
+  [[nodiscard]] PolygonAssembly::ClipContext clip_context(const Clipper& clipper, VertexStore& store) const {
+    return {&clipper, &transform_, &projection_, {}, &store};
   }
 
   /// The texture vertices of this instance (see texture_vertices.hpp).
