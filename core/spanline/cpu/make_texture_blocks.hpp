@@ -10,7 +10,7 @@ namespace spanline {
 
 namespace portable {
 
-inline void make_texture_blocks(TextureBlockMaker& maker) {
+[[gnu::always_inline]] inline void make_texture_blocks(TextureBlockMaker& maker) {
   TextureBlockMaker at = maker;  // a copy in registers: the compiler must assume that a block may alias `maker`
   do {
     const TextureReciprocal inverse = TextureReciprocal::of(at.w);
