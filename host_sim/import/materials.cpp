@@ -26,8 +26,9 @@ std::optional<ColourFactor> diffuse_colour(const aiMaterial& material) {
   return ColourFactor{static_cast<double>(colour.r), static_cast<double>(colour.g), static_cast<double>(colour.b)};
 }
 
-/// Highlights of MTL, where its illumination model has them (Wavefront, "MTL material format": 2 to 9). Only there is
-/// an exponent of this kind: glTF's roughness is none. Without one the importer says 0, which is no highlight.
+/// Highlights of MTL, where its illumination model has them (Alias|Wavefront, "Material Library File", 1995: 2 to 9).
+/// Only there is an exponent of this kind: glTF's roughness is none. Without one the importer says 0, which is no
+/// highlight.
 Highlights highlights_of(const aiMaterial& material) {
   int model = 0;
   aiColor3D colour;

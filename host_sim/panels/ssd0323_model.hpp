@@ -7,7 +7,7 @@
 
 namespace spanline::sim {
 
-/// An SSD0323 with the OSRAM Pictiva 128 × 64 glass, on a 4-wire serial bus (datasheet of its twin, the SSD1325).
+/// An SSD0323 with the OSRAM Pictiva 128 × 64 glass, on a 4-wire serial bus (by the datasheet of the SSD1325).
 /// Arguments come with D/C low, like commands.
 ///
 /// Modelled: windows over the 64 × 80 byte memory, both address directions, nibble order, display on/off, all on, all

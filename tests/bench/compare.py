@@ -9,7 +9,8 @@ from machine import Failure
 BOARDS = {"m0plus": "mps2-an385-m0plus", "m4": "mps2-an386"}
 LINE = re.compile(r"^compare (\w+) (\d+) (\d+) (\S+) (\d+) (\d+)$", re.MULTILINE)
 
-# Lecture 003, "Comparison of Algorithms": cost by number of polygons, depth sort at 100 polygons = 1.
+# Lecture 003, "Performance of Four Algorithms for Visible-Surface Determination": cost by number of polygons, depth
+# sort at 100 polygons = 1.
 LECTURE = {
     "depth sort": (1, 10, 507),
     "z-buffer": (54, 54, 54),

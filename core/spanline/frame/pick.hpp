@@ -21,7 +21,7 @@
 
 namespace spanline {
 
-/// What is seen at a pixel (lecture 004, "Picking").
+/// What is seen at a pixel: picking.
 template <class Depth>
 struct Picked {
   std::uint32_t id = 0;     ///< 1 + number of the triangle in order of submission; 0: the background

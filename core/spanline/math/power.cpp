@@ -11,7 +11,7 @@ namespace {
 constexpr unsigned log_bits = 7, exponential_bits = 6;
 
 /// log2(value / 2^62) in Q16 for a value in [2^62, 2^63). Squaring the mantissa doubles its logarithm, whose integer
-/// part, 0 or 1, is the next binary digit (Knuth, The Art of Computer Programming 1, section 1.2.2).
+/// part, 0 or 1, is the next binary digit (Knuth, The Art of Computer Programming, volume 1, section 1.2.2).
 constexpr std::uint32_t fraction_of_log2(std::uint64_t value) {
   std::uint64_t mantissa = value >> 31;  // Q31
   std::uint32_t digits = 0;

@@ -23,9 +23,9 @@ enum class Projection : std::uint8_t {
 
 /// The camera of a frame: right-handed, y up, looking along −z of its own axes, as in OpenGL.
 ///
-/// Depth is (2ᴺ − 1)·(a + b/z) with a = f/(f − n), b = −f·n/(f − n) for a perspective view (Munzner, CPSC 314 week 9,
-/// "Depth Test Precision"), and (2ᴺ − 1)·(z − n)/(f − n) for an orthographic one; z is the distance along the viewing
-/// axis.
+/// Depth is (2ᴺ − 1)·(a + b/z) with a = f/(f − n), b = −f·n/(f − n) for a perspective view (Munzner, CPSC 314, 2010,
+/// week 9, "Integer Depth Buffer"), and (2ᴺ − 1)·(z − n)/(f − n) for an orthographic one; z is the distance along the
+/// viewing axis.
 struct Camera {
   Projection projection = Projection::perspective;  ///< perspective by default
   Position eye{};  ///< position: world units, Q16.16, (−32768, 32768); the origin by default

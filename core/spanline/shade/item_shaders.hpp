@@ -13,7 +13,7 @@
 namespace spanline {
 
 /// A shader that writes into an item buffer: each pixel holds the number in the polygon table of the polygon that owns
-/// it (lecture 004, "Deferred Shading"). `make` leaves the surface's `item`, this number, to its caller.
+/// it (deferred shading; lecture 004, "Z-Buffer Pros"). `make` leaves the surface's `item`, this number, to its caller.
 struct ItemShader {
   using Pixel = Link;
   static constexpr bool interpolates = false;

@@ -1,6 +1,6 @@
 // What clang calls in the place of memcpy and its kind, by the run-time ABI for the Arm architecture (IHI 0043,
-// section 4.3.4): the digit behind a name says how pointers are aligned, and memset takes the size before the value.
-// Images by gcc link none of it.
+// "Memory copying, clearing, and setting"): the digit behind a name says how pointers are aligned, and memset takes the
+// size before the value. Images by gcc link none of it.
 #include <cstddef>
 
 extern "C" {

@@ -7,7 +7,7 @@ using spanline::board::io;
 using spanline::board::set_bits;
 using spanline::board::touch;
 
-// Synchronous serial interface 0 (Arm PrimeCell PL022; LM3S6965 data sheet, chapter 14).
+// Synchronous serial interface 0 (Arm PrimeCell PL022; LM3S6965 data sheet of 2014, chapter 13).
 constexpr std::uintptr_t ssi_control_0 = 0x40008000, ssi_control_1 = 0x40008004, ssi_data = 0x40008008,
                          ssi_status = 0x4000800c, ssi_prescale = 0x40008010, ssi_interrupt_mask = 0x40008014;
 constexpr std::uint32_t status_transmit_not_full = 1U << 1, status_receive_not_empty = 1U << 2, status_busy = 1U << 4;
@@ -17,7 +17,8 @@ constexpr std::uint32_t control_1_enable = 1U << 1;
 /// Depth of both FIFOs, bytes.
 constexpr int fifo_depth = 8;
 
-// GPIO (PL061; data sheet, chapter 8): address bits 2 to 9 of the data register choose the pins that an access reaches.
+// GPIO (PL061; data sheet, "General-Purpose Input/Outputs"): address bits 2 to 9 of the data register choose the pins
+// that an access reaches.
 constexpr std::uintptr_t gpio_a = 0x40004000, gpio_c = 0x40006000, gpio_d = 0x40007000;
 constexpr std::uintptr_t gpio_direction = 0x400, gpio_alternate = 0x420, gpio_digital = 0x51c;
 constexpr std::uint32_t pin_0 = 1U << 0, pin_7 = 1U << 7, pins_2_to_5 = 0x3c;

@@ -15,7 +15,7 @@ constexpr std::uint32_t ticks_a_millisecond = system_clock_hz / 1'000;
 // SysTick (Armv7-M Architecture Reference Manual, B3.3).
 constexpr std::uintptr_t systick_control = 0xe000e010, systick_reload = 0xe000e014, systick_value = 0xe000e018;
 
-// System control (LM3S6965 data sheet, chapter 5).
+// System control (LM3S6965 data sheet, chapter "System Control").
 constexpr std::uintptr_t raw_interrupt_status = 0x400fe050, run_mode_clock = 0x400fe060;
 
 volatile std::uint32_t milliseconds = 0;

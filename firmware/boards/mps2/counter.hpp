@@ -4,9 +4,9 @@
 
 #include "cycle_markers.hpp"
 
-/// Instruction counter: the board's TIMER0 (CMSDK APB timer, Arm DDI 0479, 4.3), which counts down at 25 MHz.
-/// QEMU run with `-icount shift=6` lets 64 ns pass an instruction, so an instruction is 1.6 ticks, exactly.
-/// On silicon the figures are ticks of 1.6 and mean time, not instructions.
+/// Instruction counter: the board's TIMER0 (CMSDK APB timer, Arm DDI 0479, "APB components"), which counts down at 25
+/// MHz. QEMU run with `-icount shift=6` lets 64 ns pass an instruction, so an instruction is 1.6 ticks, exactly. On
+/// silicon the figures are ticks of 1.6 and mean time, not instructions.
 namespace spanline::board {
 
 inline volatile std::uint32_t& timer0(std::uint32_t offset) {

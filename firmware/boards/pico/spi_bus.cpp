@@ -95,7 +95,7 @@ struct Divider {
 static_assert(Divider::at_most(62'500'000).clock_hz == 62'500'000);
 static_assert(Divider::at_most(62'499'999).clock_hz == 31'250'000);
 
-/// The prescaler is changed only while the port is off (Arm PL022, DDI 0194H, "Configuring the PrimeCell SSP").
+/// The prescaler is changed only while the port is off (RP2040 data sheet, 4.4.3, "Configuring the SSP").
 void set_clock(Divider divider) {
   io(spi_control_1) = 0;
   io(spi_prescale) = divider.prescaler;

@@ -18,8 +18,8 @@ inline constexpr unsigned miso = 16, chip_select = 17, clock = 18, mosi = 19, da
 /// queue leave without a gap. Chip select is high for a moment before each command and low otherwise: the display is
 /// alone on these wires.
 ///
-/// SPI mode 3: displays take it as well as mode 0, in which this peripheral pauses between bytes (Arm PL022, DDI 0194H,
-/// 2.3.10).
+/// SPI mode 3: displays take it as well as mode 0, in which this peripheral pauses between bytes (RP2040 data
+/// sheet, 4.4.3, "Motorola SPI Format with SPO=0, SPH=0").
 class SpiBus {
  public:
   /// Sets up pins, peripheral, DMA and interrupt; the clock is the highest one of the divider that is not above

@@ -19,8 +19,8 @@
 
 namespace spanline::hal {
 
-/// The part that does not depend on the bus. The SSD0323 is the SSD1325 under an older name; commands and arguments
-/// follow the SSD1325 datasheet, command table and command descriptions.
+/// The part that does not depend on the bus. Commands and arguments follow the datasheet of the SSD1325, a chip of
+/// the same maker and size whose commands these are too: its command table and command descriptions.
 namespace ssd0323 {
 
 inline constexpr std::uint8_t set_column_address = 0x15;  ///< first and last pair of columns follow
