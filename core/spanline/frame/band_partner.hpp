@@ -71,10 +71,11 @@ class BandPartner {
   /// Whether the partner can draw.
   [[nodiscard]] Status status() const { return status_; }
 
-  /// Takes over the renderer's current frame, before either core draws. If there is none, it returns what the renderer
-  /// would.
+  /// Takes over the renderer's current frame, before either core draws. If there is none, or the renderer has taken it
+  /// apart already, it returns what the renderer would.
   Status take_frame() {
     frame_ = status_.ok() ? renderer_.frame_ : status_;
+    if (frame_.ok() && copies && renderer_.spent_) frame_ = Fault::no_frame;
     if (!frame_.ok()) return frame_;
     table_ = renderer_.submissions_.table();
     if constexpr (copies) {

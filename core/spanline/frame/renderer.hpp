@@ -103,6 +103,7 @@ class Renderer {
     counters_ = {};
     peaks_ = {};
     bands_in_turn_ = 0;
+    spent_ = false;
     frame_ = status_.ok() ? check_settings(settings) : status_;
     if (!frame_.ok()) return frame_;
     background_ = Format::from(settings.background);
@@ -152,7 +153,8 @@ class Renderer {
   /// Draws the frame from top to bottom. For each band it calls `sink.acquire(buffer)` if the sink has it, which waits
   /// until that colour band is free again; it draws the band; and it calls `sink(band)`. Either call may return false
   /// to abandon the frame. With statistics, `sink.covered(id)` is called for every triangle that covers a pixel centre,
-  /// if the sink has it.
+  /// if the sink has it. `Spanning` takes the frame's polygons apart, so it draws a frame once: what would draw it
+  /// again returns `no_frame`. The z-buffers draw a frame as often as they are asked to.
   template <class Sink>
   Status draw(Sink&& sink) {
     return draw_share(BandShare::all, sink);
@@ -167,8 +169,7 @@ class Renderer {
   /// order; then end. A step without a frame, before `start_bands`, or for a band outside the picture does nothing and
   /// returns a fault; the view of such a band is empty.
   Status start_bands() {
-    if (!frame_.ok()) return frame_;
-    bands_in_turn_ = capacity().bands();
+    if (const Status can_draw = take_turn(); !can_draw.ok()) return can_draw;
     drawer_.start(scene(), BandShare::all);
     return {};
   }
@@ -220,10 +221,17 @@ class Renderer {
     if constexpr (Traits::statistics) scene.counters = &counters;
     return scene;
   }
+  /// Whether the frame can be drawn now; if so, it counts as drawn.
+  Status take_turn() {
+    if (!frame_.ok()) return frame_;
+    if (Visibility::takes_table_apart && spent_) return Fault::no_frame;
+    spent_ = true;
+    bands_in_turn_ = capacity().bands();
+    return {};
+  }
   template <class Sink>
   Status draw_share(BandShare share, Sink& sink) {
-    if (!frame_.ok()) return frame_;
-    bands_in_turn_ = capacity().bands();
+    if (const Status can_draw = take_turn(); !can_draw.ok()) return can_draw;
     const Status drawn = drawer_.draw(scene(), share, sink);
     if (drawn.fault == Fault::sink_failed) return drawn;
     bands_in_turn_ = 0;
@@ -241,6 +249,7 @@ class Renderer {
   BandDrawer<Traits> drawer_;
   Status status_{};                  ///< of the capacity and the memory
   Status frame_{Fault::no_frame};    ///< why the frame cannot be added to and drawn, or ok
+  bool spent_ = false;               ///< the frame has been drawn, or begun to be
   std::uint32_t bands_in_turn_ = 0;  ///< all of them between start_bands and end_bands
   Pixel background_{};
   Submissions<Traits> submissions_;

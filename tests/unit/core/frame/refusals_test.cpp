@@ -285,6 +285,35 @@ TYPED_TEST(Steps, OutOfTheirTurnDoNothingAndSaySo) {
   EXPECT_EQ(renderer.end_bands().fault, Fault::bad_step);
 }
 
+TYPED_TEST(Steps, AFrameThatWasTakenApartIsNotDrawnAgain) {
+  using Traits = TypeParam;
+  std::vector<std::byte> memory(Renderer<Traits>::bytes_needed(capacity));
+  std::vector<std::byte> more(BandPartner<Traits>::bytes_needed(capacity));
+  Renderer<Traits> renderer(capacity, memory);
+  BandPartner<Traits> partner(renderer, more);
+  constexpr bool once = BandDrawer<Traits>::Visibility::takes_table_apart;
+  const auto draw = [&] {
+    std::vector<std::uint16_t> picture;
+    const Status drawn = renderer.draw([&](const auto& band) {
+      picture.insert(picture.end(), band.pixels.begin(), band.pixels.end());
+      return true;
+    });
+    return std::pair(drawn, picture);
+  };
+  for (int frame = 0; frame < 2; ++frame) {
+    ASSERT_TRUE(renderer.begin(wall::settings()).ok());
+    ASSERT_TRUE(renderer.add(wall::mesh, {}, {.colour = {240, 160, 60}}).ok());
+    const auto first = draw();
+    EXPECT_TRUE(first.first.ok());
+    EXPECT_EQ(first.second.size(), 64U * 48U);
+    const auto again = draw();
+    EXPECT_EQ(again.first, once ? Status(Fault::no_frame) : Status());
+    EXPECT_EQ(again.second, once ? std::vector<std::uint16_t>() : first.second);
+    EXPECT_EQ(renderer.start_bands().ok(), !once);
+    EXPECT_EQ(partner.take_frame().ok(), !once);
+  }
+}
+
 TEST(Refusals, APoolThatIsLargerThanItsNumbersIsNamedWithTheMostThatItCanHave) {
   using Spans = GeneralSeeThroughTraits<Rgb565, Depth24<>, Spanning>;
   const auto most = [](auto pool) {
