@@ -7,6 +7,7 @@
 #include "image/png.hpp"
 #include "model_files.hpp"
 #include "render_fixture.hpp"
+#include "spanline/visibility/registry.hpp"
 #include "tool.hpp"
 
 namespace spanline::sim::test {
