@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "drawing.hpp"
@@ -81,7 +82,8 @@ Drawing draw_once(const Scene& scene, const Manner& manner, std::uint32_t layers
   if constexpr (Traits::statistics) drawing.depths.assign(picture.depth.begin(), picture.depth.end());
   drawing.counters = studio.statistics().visibility;
   drawing.status = studio.status();
-  drawing.shades_once = Traits::statistics && !manner.two_cores && !BandDrawer<Traits>::Visibility::tests_depth;
+  const std::span<const std::string_view> names(BandDrawer<Traits>::Visibility::counter_names);
+  drawing.shades_once = Traits::statistics && !manner.two_cores && std::ranges::find(names, "shaded") != names.end();
   return drawing;
 }
 

@@ -37,7 +37,7 @@ struct Drawing {
   std::vector<std::uint32_t> depths;  ///< 24 bits and 8 guard bits, in the sense asked for; only with ids
   VisibilityCounters counters;        ///< only with ids
   Status status;
-  bool shades_once = false;  ///< the algorithm promises to write every pixel once and counts them in `shaded`
+  bool shades_once = false;  ///< the algorithm has a counter `shaded`, which promises that every pixel is written once
 
   [[nodiscard]] std::size_t at(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);

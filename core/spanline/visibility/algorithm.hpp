@@ -16,8 +16,8 @@
 #include "spanline/visibility/frame_input.hpp"
 
 /// The interface of a visibility algorithm: the concept VisibilityAlgorithm and its parts. The comment of each part
-/// describes the functions that it requires. `docs/visibility.md` shows how to add an algorithm, with a complete
-/// example.
+/// describes the functions that it requires. `docs/visibility.md` shows how to add an algorithm, with the code that
+/// draws a polygon on a row.
 namespace spanline {
 
 /// Properties of an algorithm that hold for all frames.
@@ -27,7 +27,7 @@ concept StatesItsFacts = requires {
   /// Bands have a depth buffer.
   { A::keeps_depth } -> std::convertible_to<bool>;
   /// The algorithm reads the depth buffer. An algorithm that does not read it may still write it for inspection when
-  /// counting is on.
+  /// counting is on. It gets cut-out textures in see-through groups, or not at all if its shaders have none for those.
   { A::tests_depth } -> std::convertible_to<bool>;
   /// Drawing changes the table's buckets and references, so two cores cannot draw from one table.
   { A::takes_table_apart } -> std::convertible_to<bool>;
