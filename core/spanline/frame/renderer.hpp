@@ -184,7 +184,8 @@ class Renderer {
   /// Draws a band that was cleared. Of the sink, only `covered` is called.
   template <class Sink>
   [[gnu::always_inline]] BandView draw_band(std::uint32_t band, Sink& sink) {
-    if (band >= bands_in_turn_) return {};
+    if (band >= bands_in_turn_) [[unlikely]]
+      return {};
     return drawer_.draw_band(scene(), band, sink);
   }
   /// Ends a frame that was drawn by steps, or that the sink of `draw` abandoned. The status names a pool that ran full.
