@@ -63,9 +63,7 @@ std::uint32_t power(std::uint32_t base, std::uint32_t exponent) {
   // −log2(base) in Q20: base is mantissa · 2^(1 − zeros).
   const std::uint32_t logarithm = ((std::uint32_t{logarithms[entry]} << 16) + step * way) >> 12;
   const std::uint32_t fall = (word(zeros - 1) << 20) - logarithm;
-  constexpr std::uint32_t nothing_left = 17u << 20;
-  if (fall >= nothing_left) return 0;
-  const std::uint32_t whole = fall * exponent;  // below 2^32
+  const std::uint32_t whole = fall * exponent;  // below 2^32, since fall is at most 30 · 2^20
   const std::uint32_t halvings = whole >> 20;
   if (halvings > 16) return 0;
   const std::uint32_t part = (whole >> (20 - exponential_bits)) & ((1u << exponential_bits) - 1),

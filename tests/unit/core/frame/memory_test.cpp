@@ -77,6 +77,15 @@ TEST(Memory, ARefusedRendererRefusesEveryFrame) {
   EXPECT_EQ(renderer.draw([](const auto&) { return true; }), refusal);
 }
 
+TEST(Memory, NothingIsInUseBeforeTheFirstFrame) {
+  constexpr Capacity capacity{.width = 32, .height = 24, .vertices = 4, .polygons = 2};
+  std::vector<std::byte> memory(Renderer<FlatTraits<>>::bytes_needed(capacity));
+  EXPECT_EQ(Renderer<FlatTraits<>>(capacity, memory).peaks().total(), 0U);
+  EXPECT_EQ(PoolPeaks{}.total(), 0U);
+  EXPECT_EQ(PoolShortage{}.pool, Pool::none);
+  EXPECT_EQ(PoolShortage{}.wanted, 0U);
+}
+
 TEST(Memory, PeaksNeverExceedWhatWasGiven) {
   Random random(4);
   for (int i = 0; i < rounds(100); ++i) {

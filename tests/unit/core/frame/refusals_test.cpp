@@ -224,7 +224,8 @@ TEST(Refusals, NothingIsAddedOrDrawnBeforeBegin) {
   EXPECT_EQ(partner.take_frame().fault, Fault::no_frame);
   EXPECT_EQ(partner.draw_odd(sink).fault, Fault::no_frame);
   EXPECT_EQ(pick(renderer, 1, 1, picked).fault, Fault::no_frame);
-  EXPECT_EQ(pick(renderer, 64, 1, picked).fault, Fault::outside_picture);
+  for (const auto& [x, y] : {std::pair{64, 1}, {1, 48}, {-1, 1}, {1, -1}})
+    EXPECT_EQ(pick(renderer, x, y, picked).fault, Fault::outside_picture) << x << ", " << y;
 }
 
 /// Every step of drawing, band 1 among them.

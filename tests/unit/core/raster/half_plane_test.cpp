@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <tuple>
 #include <vector>
 
 #include "spanline/raster/polygon_table.hpp"
@@ -49,8 +50,16 @@ TEST(HalfPlane, FitsLargeWordsWithoutLeavingThirtyTwoBits) {
     const auto large = [&](int bits) {
       return (std::int64_t{random.between(-32768, 32767)} << bits) + random.between(0, 9999);
     };
-    const HalfPlane line =
-        HalfPlane::fitted(large(random.between(0, 30)), large(random.between(0, 30)), large(random.between(0, 40)));
+    const std::int64_t a = large(random.between(0, 30)), b = large(random.between(0, 30)),
+                       c = large(random.between(0, 40));
+    const HalfPlane line = HalfPlane::fitted(a, b, c);
+    // It is shifted until it fits, and no further.
+    const auto fits = [](std::int64_t p, std::int64_t q, std::int64_t r) {
+      return std::abs(p) + std::abs(q) <= 1 << 19 && std::abs(r) < 1 << 30;
+    };
+    int shift = 0;
+    while (!fits(a >> shift, b >> shift, c >> shift)) ++shift;
+    ASSERT_EQ(std::tuple(line.a, line.b, line.c), std::tuple(a >> shift, b >> shift, c >> shift)) << "round " << i;
     for (const std::int32_t x : {0, width})
       for (const std::int32_t y : {0, width}) {
         const std::int64_t value = std::int64_t{line.a} * x + std::int64_t{line.b} * y + line.c;
