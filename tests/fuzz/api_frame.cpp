@@ -13,7 +13,7 @@ namespace spanline::fuzz {
 namespace {
 
 constexpr int most_columns = 72, most_rows = 48;
-constexpr std::size_t most_parts = 5, most_polygons = 24;
+constexpr std::size_t most_parts = 5, most_polygons = 24, most_submissions = 8;
 
 template <class Enumeration>
 Enumeration any_of(ByteReader& reader, Enumeration last) {
@@ -31,6 +31,8 @@ Q16_16 any_number(ByteReader& reader) {
 Q16_16 number_between(ByteReader& reader, int low, int high) {
   return Q16_16::from_raw(reader.between(low * 256, high * 256) * 256);
 }
+/// Up to `most`, seldom one too many.
+int any_count(ByteReader& reader, int most) { return reader.chance(16) ? most + 1 : reader.byte() % (most + 1); }
 Position any_position(ByteReader& reader) { return {any_number(reader), any_number(reader), any_number(reader)}; }
 Position near_position(ByteReader& reader) {
   return {number_between(reader, -4, 4), number_between(reader, -4, 4), number_between(reader, -8, 2)};
@@ -52,12 +54,18 @@ Capacity any_capacity(ByteReader& reader) {
                                   &c.polygons,  &c.fans,     &c.active, &c.layers};
   for (std::size_t i = 0; i < std::size(pools); ++i)
     *pools[i] = (tight >> i & 1) != 0 ? static_cast<std::uint32_t>(reader.byte() % 40) : 1500;
+  c.instances = std::min<std::uint32_t>(c.instances, 40);  // each takes much memory
   c.awake = c.active;
   c.fragments = c.layers * 8;
   if (reader.chance(24)) c.width = static_cast<std::uint16_t>(reader.half_word());
   if (reader.chance(24)) c.band_lines = static_cast<std::uint16_t>(reader.byte());
   if (reader.chance(24)) c.depth_bands = any_byte(reader);
-  if (reader.chance(24)) c.polygons = static_cast<std::uint32_t>(reader.full_word());
+  if (reader.chance(16)) {  // more than there is memory for, or more than can be numbered
+    std::uint32_t* const sizes[] = {&c.instances, &c.vertices, &c.shades, &c.textures,  &c.polygons,
+                                    &c.fans,      &c.active,   &c.awake,  &c.fragments, &c.layers};
+    *sizes[static_cast<std::size_t>(reader.byte()) % std::size(sizes)] =
+        reader.chance(2) ? ~0u : static_cast<std::uint32_t>(reader.full_word());
+  }
   return c;
 }
 
@@ -84,10 +92,10 @@ void set_settings(ByteReader& reader, ApiFrame& frame) {
              Q16_16::from_raw(start.raw() + 1 + (reader.half_word() & 0xffff) * 32), any_colour(reader)};
   }
   s.lighting.ambient = Fixed<16>::from_raw(reader.between(0, 65535) + reader.byte() % 2);
-  for (int i = reader.byte() % 6; i > 0; --i)
+  for (int i = any_count(reader, Lighting::max_lights); i > 0; --i)
     frame.lights.push_back({any_rotation(reader).row[2], Fixed<16>::from_raw(reader.between(0, 65535) * 4)});
   if (reader.chance(3))
-    for (int i = reader.byte() % 6; i > 0; --i)
+    for (int i = any_count(reader, Lighting::max_lights); i > 0; --i)
       frame.point_lights.push_back({near_position(reader), Fixed<16>::from_raw(reader.between(0, 65535) * 4),
                                     reader.chance(2) ? Q16_16{} : number_between(reader, 1, 20)});
   s.lighting.lights = frame.lights;
@@ -255,6 +263,26 @@ void add_part(ByteReader& reader, ApiFrame& frame) {
   frame.parts.push_back({&frame.meshes.back(), transform, material});
 }
 
+PolygonRange any_range(ByteReader& reader, const Mesh& mesh) {
+  const auto all = static_cast<int>(PolygonRange::whole(mesh).count);
+  if (reader.chance(12)) {
+    const auto first = static_cast<std::uint32_t>(all) + any_byte(reader);
+    return {first, 1u + any_byte(reader), 3 * first, first};
+  }
+  const int first = reader.between(0, all), count = reader.between(0, all - first);
+  return PolygonRange::of(mesh, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count));
+}
+
+/// Parts, and polygons of them, in any sequence, some of them twice and some never.
+void set_order(ByteReader& reader, ApiFrame& frame) {
+  const std::size_t count = static_cast<std::size_t>(reader.byte()) % (most_submissions + 1);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto part = static_cast<std::uint32_t>(reader.between(0, most_parts - 1));
+    const bool whole = part >= frame.parts.size() || reader.chance(2);
+    frame.order.push_back({part, whole, whole ? PolygonRange{} : any_range(reader, *frame.parts[part].mesh)});
+  }
+}
+
 void add_screen_triangles(ByteReader& reader, ApiFrame& frame) {
   std::vector<contract::Corners> triangles(static_cast<std::size_t>(reader.byte() % 12));
   for (contract::Corners& t : triangles)
@@ -283,10 +311,16 @@ ApiFrame decode_frame(std::span<const std::uint8_t> bytes) {
   if (faults % 16 == 1) frame.bytes_missing = static_cast<std::size_t>(reader.between(1, 4000));
   if (faults % 16 == 2) frame.sink_fails_at = static_cast<unsigned>(1 + reader.byte() % 8);
   frame.without_begin = faults % 64 == 3;
+  frame.too_many_triangles = faults % 16 == 4;
+  frame.in_order = faults % 16 >= 12;
+  frame.picked_column = static_cast<std::uint16_t>(reader.between(0, frame.capacity.width * 9 / 8));
+  frame.picked_row = static_cast<std::uint16_t>(reader.between(0, frame.capacity.height * 9 / 8));
   frame.misaligned = static_cast<unsigned>(reader.byte() % 8);
   set_settings(reader, frame);
   if (reader.chance(3)) add_screen_triangles(reader, frame);
+  ByteReader order = reader;  // the bytes of the parts once more, which leave none
   while (!reader.empty() && frame.parts.size() < most_parts) add_part(reader, frame);
+  if (frame.in_order) set_order(order, frame);
   return frame;
 }
 

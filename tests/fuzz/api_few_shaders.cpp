@@ -1,0 +1,48 @@
+// Renderers that lack shaders, each for reasons of its own.
+#include "api_drawing.hpp"
+#include "spanline/frame/ready_made_traits.hpp"
+
+namespace spanline::fuzz {
+namespace {
+
+/// A z-buffer that asks for the world.
+struct InWorld {
+  template <class Depth, class Pixel, class Shaders, bool Counting>
+  struct Algorithm : DepthBuffer<Depth, Pixel, Shaders, Counting> {
+    using Base = DepthBuffer<Depth, Pixel, Shaders, Counting>;
+    using Base::Base;
+    static constexpr AlgorithmNeeds needs = AlgorithmNeeds::world;
+  };
+};
+
+/// No flat shading, and textures with holes that spans do not show without layers.
+using Opaque = RendererTraits<Rgb565, ShaderList<GouraudShader<Rgb565>, GeneralShader<Rgb565>>, Depth24<>, Spanning>;
+
+}  // namespace
+
+Run draw_plain(const ApiFrame& frame) {
+  Run run;
+  Drawing<GouraudTraits<Rgb565, Depth16<>, Counted, BoundedZBuffer>>(frame, run).draw("plain");
+  return run;
+}
+
+Run draw_opaque(const ApiFrame& frame) {
+  Run run;
+  Drawing<Opaque>(frame, run).draw("opaque");
+  return run;
+}
+
+Run draw_world(const ApiFrame& frame) {
+  Run run;
+  Drawing<FlatTraits<Rgb565, InWorld>>(frame, run).draw("world");
+  return run;
+}
+
+Run draw_ids(const ApiFrame& frame) {
+  Run run;
+  Drawing<IdTraits<Depth24<>, Counted>>(frame, run).draw("ids by zbuffer");
+  Drawing<IdTraits<Depth24<>, Counted, Spanning>>(frame, run).draw("ids by span");
+  return run;
+}
+
+}  // namespace spanline::fuzz
