@@ -19,8 +19,7 @@ TEST(RefusalText, NamesTheShaderThePoolAndTheNumber) {
 
 TEST(RefusalText, EveryFaultAndEveryShaderHasALineOfItsOwn) {
   std::set<std::string> lines;
-  constexpr int faults = static_cast<int>(Fault::too_many_triangles),
-                shaders = static_cast<int>(MissingShader::mixture);
+  constexpr int faults = static_cast<int>(Fault::bad_order), shaders = static_cast<int>(MissingShader::mixture);
   for (int i = 1; i <= faults; ++i) lines.insert(refusal_text(static_cast<Fault>(i)));
   for (int i = 1; i <= shaders; ++i) lines.insert(refusal_text(static_cast<MissingShader>(i)));
   EXPECT_EQ(lines.size(), static_cast<std::size_t>(faults + shaders));
