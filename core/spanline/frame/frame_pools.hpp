@@ -49,11 +49,10 @@ struct FramePools {
     if (c.polygons >= no_link) return {bad, Pool::polygons, no_link - 1u};
     if (c.fans >= fan_flag) return {bad, Pool::fans, fan_flag - 1u};
     if (Visibility::takes(c)) return {};
-    const Pool larger = c.awake >= c.layers ? Pool::awake : Pool::layers;
     if constexpr (requires { Visibility::most_awake; })
-      return {bad, larger, Visibility::most_awake};
+      return {bad, c.awake >= c.layers ? Pool::awake : Pool::layers, Visibility::most_awake};
     else
-      return {bad, larger, 0};
+      return {bad, c.active >= c.fragments ? Pool::active : Pool::fragments, no_link - 1u};
   }
 
   /// Takes the pools from an arena.

@@ -315,28 +315,30 @@ TYPED_TEST(Steps, AFrameThatWasTakenApartIsNotDrawnAgain) {
   }
 }
 
+/// A pool that is larger than its numbers is named with the most that it can have.
+template <class Picture>
+void expect_limit(Pool pool, std::uint32_t Capacity::*member) {
+  Capacity large = capacity;
+  large.*member = ~0u;
+  const Status refused = Picture::check(large);
+  EXPECT_EQ(refused.fault, Fault::bad_configuration) << to_string(pool);
+  EXPECT_EQ(refused.pool, pool);
+  large.*member = refused.wanted;
+  EXPECT_TRUE(Picture::takes(large)) << to_string(pool);
+  ++(large.*member);
+  EXPECT_FALSE(Picture::takes(large)) << to_string(pool);
+}
+
 TEST(Refusals, APoolThatIsLargerThanItsNumbersIsNamedWithTheMostThatItCanHave) {
-  using Spans = GeneralSeeThroughTraits<Rgb565, Depth24<>, Spanning>;
-  const auto most = [](auto pool) {
-    Capacity large = capacity;
-    large.*pool = ~0u;
-    return Renderer<Spans>::check(large);
-  };
-  const std::array<std::pair<Pool, std::uint32_t Capacity::*>, 4> pools{{{Pool::instances, &Capacity::instances},
-                                                                         {Pool::polygons, &Capacity::polygons},
-                                                                         {Pool::fans, &Capacity::fans},
-                                                                         {Pool::awake, &Capacity::awake}}};
-  for (const auto& [pool, member] : pools) {
-    const Status refused = most(member);
-    EXPECT_EQ(refused.fault, Fault::bad_configuration) << to_string(pool);
-    EXPECT_EQ(refused.pool, pool);
-    Capacity largest = capacity;
-    largest.*member = refused.wanted;
-    EXPECT_TRUE(Renderer<Spans>::takes(largest)) << to_string(pool);
-    ++(largest.*member);
-    EXPECT_FALSE(Renderer<Spans>::takes(largest)) << to_string(pool);
-  }
-  EXPECT_EQ(most(&Capacity::layers).pool, Pool::layers);
+  using Spans = Renderer<GeneralSeeThroughTraits<Rgb565, Depth24<>, Spanning>>;
+  expect_limit<Spans>(Pool::instances, &Capacity::instances);
+  expect_limit<Spans>(Pool::polygons, &Capacity::polygons);
+  expect_limit<Spans>(Pool::fans, &Capacity::fans);
+  expect_limit<Spans>(Pool::awake, &Capacity::awake);
+  expect_limit<Spans>(Pool::layers, &Capacity::layers);
+  using Depths = Renderer<GeneralSeeThroughTraits<>>;
+  expect_limit<Depths>(Pool::active, &Capacity::active);
+  expect_limit<Depths>(Pool::fragments, &Capacity::fragments);
 }
 
 // The check is for constants.
