@@ -38,7 +38,8 @@ Statuses every_kind() {
   }
   for (int i = 1; i <= static_cast<int>(Pool::layers); ++i)
     all.emplace_back(Fault::pool_full, static_cast<Pool>(i), 0U);
-  for (const Pool pool : {Pool::instances, Pool::polygons, Pool::fans, Pool::awake, Pool::layers})
+  for (const Pool pool :
+       {Pool::instances, Pool::polygons, Pool::fans, Pool::active, Pool::awake, Pool::fragments, Pool::layers})
     all.emplace_back(Fault::bad_configuration, pool, 0U);
   for (int i = 1; i <= static_cast<int>(MissingShader::mixture); ++i) all.emplace_back(static_cast<MissingShader>(i));
   return all;
