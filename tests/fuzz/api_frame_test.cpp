@@ -13,7 +13,7 @@ namespace spanline::fuzz {
 namespace {
 
 // So many that they take the better part of a minute under sanitizers.
-constexpr int frames = 8000;
+constexpr int frames = 16000;
 
 std::vector<std::uint8_t> random_bytes(test::Random& random) {
   std::vector<std::uint8_t> bytes(static_cast<std::size_t>(random.between(60, 1500)));
