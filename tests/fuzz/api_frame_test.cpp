@@ -12,7 +12,7 @@
 namespace spanline::fuzz {
 namespace {
 
-// So many that they take the better part of a minute under sanitizers.
+// So many that they take about a minute under sanitizers.
 constexpr int frames = 16000;
 
 std::vector<std::uint8_t> random_bytes(test::Random& random) {
