@@ -1,4 +1,11 @@
 #pragma once
+/// @file
+/// Counts of a frame.
+///
+/// ```cpp
+/// const PolygonCounts polygons = renderer.statistics().polygons;
+/// const std::uint32_t submitted = polygons.total - polygons.outside - polygons.back;
+/// ```
 #include "spanline/geometry/polygon_assembly.hpp"
 #include "spanline/visibility/counters.hpp"
 
