@@ -101,6 +101,12 @@ TEST_F(Orders, TiesAreSettledByTheOrder) {
   }
 }
 
+TEST_F(Orders, ASubmissionMeansAllOfTheFirstInstanceUnlessItSaysOtherwise) {
+  const Picture got = draw({Submission{}}), want = draw({{0}});
+  EXPECT_EQ(got.pixels, want.pixels);
+  EXPECT_GT(want.drawn_count(), 200U);
+}
+
 TEST_F(Orders, WhatFindsNoRoomIsToldOfAndTheRestIsDrawn) {
   Studio<Ids> small(mesh_capacity(96, 64, 1, 4000, 1200));
   small.begin({});
