@@ -13,7 +13,7 @@ namespace spanline::fuzz {
 namespace {
 
 // So many that they take about a minute under sanitizers.
-constexpr int frames = 16000;
+constexpr int frames = 12000;
 
 std::vector<std::uint8_t> random_bytes(test::Random& random) {
   std::vector<std::uint8_t> bytes(static_cast<std::size_t>(random.between(60, 1500)));

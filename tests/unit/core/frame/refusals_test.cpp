@@ -286,7 +286,12 @@ TYPED_TEST(Steps, OutOfTheirTurnDoNothingAndSaySo) {
   EXPECT_EQ(renderer.end_bands().fault, Fault::bad_step);
 }
 
-TYPED_TEST(Steps, AFrameThatWasTakenApartIsNotDrawnAgain) {
+template <class Traits>
+class Again : public ::testing::Test {};
+using AgainTraits = ::testing::Types<FlatTraits<>, FlatTraits<Rgb565, Depth24<>, Spanning>>;
+TYPED_TEST_SUITE(Again, AgainTraits);
+
+TYPED_TEST(Again, AFrameThatWasTakenApartIsNotDrawn) {
   using Traits = TypeParam;
   std::vector<std::byte> memory(Renderer<Traits>::bytes_needed(capacity));
   std::vector<std::byte> more(BandPartner<Traits>::bytes_needed(capacity));

@@ -11,10 +11,10 @@ namespace spanline::test {
   return length != nullptr && std::string_view(length) == "long" ? wanted * 10 : wanted;
 }
 
-/// How often a random test repeats: as a sample, but an eighth of it under sanitizers. At least once.
+/// How often a random test repeats: as a sample, but a sixteenth of it under sanitizers. At least once.
 [[nodiscard]] inline int rounds(int wanted) {
 #if defined(SPANLINE_SANITIZERS)
-  wanted = wanted < 8 ? 1 : wanted / 8;
+  wanted = wanted < 16 ? 1 : wanted / 16;
 #endif
   return sample_size(wanted);
 }
