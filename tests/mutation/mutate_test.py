@@ -13,7 +13,7 @@ from mutate import Verdict
 
 def draw(verdict, **changes):
     """A whole draw in which verdict(number) judges mutant after mutant."""
-    arguments = argparse.Namespace(**{"seed": 1, "count": 30, "a_room": 2, "minutes": None, "jobs": 1, **changes})
+    arguments = argparse.Namespace(**{"seed": 1, "count": 30, "a_room": 2, "minutes": None, "jobs": 1, "programs": 12, **changes})
     numbers = iter(range(10**6))
     with tempfile.TemporaryDirectory() as folder, \
             mock.patch.object(mutate, "RESULTS", pathlib.Path(folder) / "results.json"), \
