@@ -8,7 +8,7 @@
 
 #include "drawing.hpp"
 #include "layers.hpp"
-#include "support/studio.hpp"
+#include "support/two_cores.hpp"
 
 namespace spanline::contract {
 
@@ -74,7 +74,7 @@ Drawing draw_once(const Scene& scene, const Manner& manner, std::uint32_t layers
     }
     studio.add(*part.mesh, part.transform, material);
   }
-  const auto picture = manner.two_cores ? studio.draw_on_two_cores() : studio.draw();
+  const auto picture = manner.two_cores ? draw_on_two_cores(studio) : studio.draw();
   Drawing drawing;
   drawing.width = scene.width;
   drawing.height = scene.height;

@@ -157,10 +157,14 @@ class BandDrawer {
   template <class Sink>
   BandView draw_band(const Scene& scene, std::uint32_t band, Sink& sink) {
     const BandView view = band_view(band);
-    visibility_.draw_band(scene.table, scene.shading, static_cast<std::int32_t>(band), viewport(),
-                          target(scene, band, view), [&](std::uint32_t id) {
-                            if constexpr (requires { sink.covered(id); }) sink.covered(id);
-                          });
+    const auto draw = [&](auto covered) {
+      visibility_.draw_band(scene.table, scene.shading, static_cast<std::int32_t>(band), viewport(),
+                            target(scene, band, view), covered);
+    };
+    if constexpr (requires { sink.covered(0u); })
+      draw([&](std::uint32_t id) { sink.covered(id); });
+    else
+      draw([](std::uint32_t) {});
     return view;
   }
   /// Ends the frame; the status names a pool that ran full.
@@ -174,7 +178,7 @@ class BandDrawer {
 
   /// The memory of a colour band; empty if there is no such band.
   [[nodiscard]] std::span<Pixel> colour_band(unsigned buffer) const {
-    const std::size_t start = std::size_t{buffer} * Pools::template stride<Pixel>(capacity_);
+    const std::size_t start = colour_start(buffer);
     if (start >= pools_.colour.size()) return {};
     return pools_.colour.subspan(start, std::size_t{capacity_.width} * capacity_.band_lines);
   }
@@ -228,6 +232,10 @@ class BandDrawer {
     if (capacity_.colour_bands <= 2) return turn & (capacity_.colour_bands - 1u);
     return (first_buffer_ + turn) % capacity_.colour_bands;
   }
+  /// Index at which a colour band begins.
+  [[nodiscard]] std::size_t colour_start(unsigned buffer) const {
+    return std::size_t{buffer} * Pools::template stride<Pixel>(capacity_);
+  }
   /// Index at which a band's depths begin.
   [[nodiscard]] std::size_t depth_start(std::uint32_t band) const {
     if (!Visibility::keeps_depth || capacity_.depth_bands == 1) return 0;
@@ -237,7 +245,7 @@ class BandDrawer {
     const std::int32_t y0 = first_line(band), y1 = end_line(y0);
     const std::size_t count = std::size_t{capacity_.width} * static_cast<std::size_t>(y1 - y0);
     const unsigned buffer = buffer_of(band);
-    return {y0, y1, colour_band(buffer).first(count),
+    return {y0, y1, pools_.colour.subspan(colour_start(buffer), count),
             pools_.depth.subspan(depth_start(band), Visibility::keeps_depth ? count : 0), buffer};
   }
   [[nodiscard]] typename Visibility::Target target(const Scene& scene, std::uint32_t band, const BandView& view) const {

@@ -175,9 +175,8 @@ class Renderer {
   }
   /// Clears a band in [0, `capacity().bands()`) before it is drawn.
   Status clear_band(std::uint32_t band) {
-    if (!frame_.ok()) return frame_;
-    // The check multiplies because Cortex-M0+ has no division.
-    if (band >= capacity().height || band * capacity().band_lines >= capacity().height) return Fault::bad_step;
+    if (band >= bands_in_turn_) [[unlikely]]
+      return frame_.ok() ? Status{Fault::bad_step} : frame_;
     drawer_.clear_band(scene(), band);
     return {};
   }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "support/random.hpp"
-#include "support/studio.hpp"
+#include "support/ready_made_studios.hpp"
 
 namespace spanline::test {
 namespace {

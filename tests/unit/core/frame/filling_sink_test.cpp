@@ -9,7 +9,7 @@
 #include "spanline/visibility/zbuffer/deferred.hpp"
 #include "spanline/visibility/zbuffer/depth_buffer.hpp"
 #include "support/owned_mesh.hpp"
-#include "support/studio.hpp"
+#include "support/ready_made_studios.hpp"
 
 namespace spanline::test {
 namespace {

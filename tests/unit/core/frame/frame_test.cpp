@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "support/owned_mesh.hpp"
-#include "support/studio.hpp"
+#include "support/ready_made_studios.hpp"
 
 namespace spanline::test {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "support/effort.hpp"
 #include "support/random.hpp"
-#include "support/studio.hpp"
+#include "support/ready_made_studios.hpp"
 
 namespace spanline::test {
 namespace {

@@ -9,7 +9,7 @@
 #include "scenes/prisms_mesh.hpp"
 #include "support/effort.hpp"
 #include "support/owned_mesh.hpp"
-#include "support/studio.hpp"
+#include "support/ready_made_studios.hpp"
 #include "support/triangle_kinds.hpp"
 
 namespace spanline::test {

@@ -5,6 +5,7 @@
 #include <spanline/frame/pick.hpp>
 #include <spanline/frame/ready_made_traits.hpp>
 
+#include <algorithm>
 #include <array>
 #include <set>
 #include <string>
@@ -12,7 +13,7 @@
 
 #include "scenes/textured_wall.hpp"
 #include "support/owned_mesh.hpp"
-#include "support/studio.hpp"
+#include "support/ready_made_studios.hpp"
 
 namespace spanline::test {
 namespace {
@@ -39,20 +40,16 @@ constexpr Capacity capacity{.width = 64,
 template <class Traits>
 Status status_of(const Material& material, const FrameSettings& settings = wall::settings(),
                  const Mesh& mesh = wall::lit_mesh) {
-  std::vector<std::byte> memory(Renderer<Traits>::bytes_needed(capacity));
-  Renderer<Traits> renderer(capacity, memory);
-  EXPECT_TRUE(renderer.begin(settings).ok());
-  const Status added = renderer.add(mesh, {}, material);
+  Studio<Traits> studio(capacity);
+  studio.begin(settings);
+  EXPECT_TRUE(studio.status().ok());
+  studio.add(mesh, {}, material);
+  const auto picture = studio.draw();
+  EXPECT_TRUE(studio.drawn().ok());
   const auto background = Traits::Format::from(settings.background);
-  bool drawn = false;
-  EXPECT_TRUE(renderer
-                  .draw([&](const auto& band) {
-                    for (const auto pixel : band.pixels) drawn = drawn || pixel != background;
-                    return true;
-                  })
-                  .ok());
-  EXPECT_EQ(drawn, added.ok());
-  return added;
+  const bool drawn = std::ranges::any_of(picture.pixels, [&](auto pixel) { return pixel != background; });
+  EXPECT_EQ(drawn, studio.added().ok());
+  return studio.added();
 }
 
 Material textured() {

@@ -7,7 +7,7 @@
 #include "scenes/prisms_mesh.hpp"
 #include "scenes/torus_mesh.hpp"
 #include "spanline/world/submission_order.hpp"
-#include "support/ids_picture.hpp"
+#include "support/ready_made_studios.hpp"
 
 namespace spanline::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "scenes/torus_mesh.hpp"
-#include "support/ids_picture.hpp"
+#include "support/ready_made_studios.hpp"
 
 namespace spanline::test {
 namespace {

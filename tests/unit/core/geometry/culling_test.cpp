@@ -10,8 +10,8 @@
 
 #include "support/effort.hpp"
 #include "support/exact_view.hpp"
-#include "support/ids_picture.hpp"
 #include "support/random_instance.hpp"
+#include "support/ready_made_studios.hpp"
 
 namespace spanline::test {
 namespace {

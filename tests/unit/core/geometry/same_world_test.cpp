@@ -8,8 +8,8 @@
 
 #include "scenes/prisms_mesh.hpp"
 #include "support/effort.hpp"
-#include "support/ids_picture.hpp"
 #include "support/random_instance.hpp"
+#include "support/ready_made_studios.hpp"
 
 namespace spanline::test {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "spanline/pixel/premultiplied.hpp"
 #include "support/random.hpp"
-#include "support/studio.hpp"
+#include "support/ready_made_studios.hpp"
 
 namespace spanline::test {
 namespace {

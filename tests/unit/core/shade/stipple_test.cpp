@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "spanline/frame/ready_made_traits.hpp"
-#include "support/studio.hpp"
+#include "support/ready_made_studios.hpp"
 
 namespace spanline::test {
 namespace {

@@ -10,7 +10,7 @@
 #include "scenes/textured_wall.hpp"
 #include "shade/shading_scene.hpp"
 #include "support/random_texture.hpp"
-#include "support/studio.hpp"
+#include "support/ready_made_studios.hpp"
 
 namespace spanline::test {
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "support/ids_picture.hpp"
 #include "support/random_instance.hpp"
+#include "support/ready_made_studios.hpp"
 
 namespace spanline::test {
 

@@ -6,10 +6,9 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
-#include "spanline/frame/band_partner.hpp"
+#include "spanline/frame/renderer.hpp"
 #include "spanline/model/cull.hpp"
 #include "support/screen_triangle.hpp"
 
@@ -64,89 +63,97 @@ class Studio {
   using Depth = typename Traits::Depth;
   using PictureType = Picture<Traits>;
 
-  explicit Studio(const Capacity& capacity)
-      : memory_(Renderer<Traits>::bytes_needed(capacity)), renderer_(capacity, memory_) {
-    if (!renderer_.status().ok()) throw std::logic_error("renderer refused its capacity");
-  }
+  explicit Studio(const Capacity& capacity);
 
   [[nodiscard]] Renderer<Traits>& renderer() { return renderer_; }
-  [[nodiscard]] Statistics statistics() const { return renderer_.statistics(); }
+  [[nodiscard]] Statistics statistics() const;
   /// Of the last frame: that of draw(), or the first fault of add().
   [[nodiscard]] Status status() const { return status_; }
+  /// What the last add() was told, and what draw() itself was told.
+  [[nodiscard]] Status added() const { return added_; }
+  [[nodiscard]] Status drawn() const { return drawn_; }
 
-  void begin(const FrameSettings& settings) { status_ = renderer_.begin(settings); }
-  void add(const Mesh& mesh, const Transform& transform, const Material& material) {
-    note(renderer_.add(mesh, transform, material));
-  }
+  void begin(const FrameSettings& settings);
+  void add(const Mesh& mesh, const Transform& transform, const Material& material);
   void add_screen(std::span<const ScreenVertex> vertices, std::span<const std::uint16_t> colours,
-                  const Material& material = {}) {
-    note(renderer_.add_screen(vertices, colours, material));
-  }
-  [[nodiscard]] PictureType draw() {
-    PictureType picture = empty_picture();
-    note(renderer_.draw(Collector<Traits>{picture}));
-    return picture;
-  }
-  /// By two threads that draw at a time, each every second band.
-  [[nodiscard]] PictureType draw_on_two_cores() {
-    std::vector<std::byte> memory(BandPartner<Traits>::bytes_needed(renderer_.capacity()));
-    BandPartner<Traits> partner(renderer_, memory);
-    note(partner.status());
-    PictureType even = empty_picture(), odd = empty_picture();
-    note(partner.take_frame());
-    Status odd_status;
-    std::thread other([&] { odd_status = partner.draw_odd(BandCollector{odd}); });
-    note(renderer_.draw_even(BandCollector{even}));
-    other.join();
-    note(odd_status);
-    const Capacity& c = renderer_.capacity();
-    for (int y = 0; y < c.height; ++y) {
-      if (y / c.band_lines % 2 == 0) continue;
-      const auto begin = static_cast<std::ptrdiff_t>(even.at(0, y)), end = begin + c.width;
-      std::copy(odd.pixels.begin() + begin, odd.pixels.begin() + end, even.pixels.begin() + begin);
-      std::copy(odd.depth.begin() + begin, odd.depth.begin() + end, even.depth.begin() + begin);
-    }
-    return even;
-  }
-
+                  const Material& material = {});
+  [[nodiscard]] PictureType draw();
   /// A frame of triangles given on screen, none culled.
-  [[nodiscard]] PictureType draw_screen(std::span<const Corners> triangles, Cull cull = Cull::none) {
-    const Capacity& c = renderer_.capacity();
-    const auto vertices = vertices_of(triangles, Depth::bits, c.width, c.height);
-    std::vector<std::uint16_t> colours(triangles.size());
-    for (std::size_t i = 0; i < colours.size(); ++i) colours[i] = static_cast<std::uint16_t>(i * 40503u + 1u);
-    FrameSettings settings;
-    settings.cull = cull;
-    begin(settings);
-    add_screen(vertices, colours);
-    return draw();
-  }
+  [[nodiscard]] PictureType draw_screen(std::span<const Corners> triangles, Cull cull = Cull::none);
 
- private:
-  /// Collects bands, and nothing else.
-  struct BandCollector {
-    PictureType& picture;
-    template <class Band>
-    bool operator()(const Band& band) {
-      return Collector<Traits>{picture}(band);
-    }
-  };
-
-  [[nodiscard]] PictureType empty_picture() const {
-    const Capacity& c = renderer_.capacity();
-    PictureType picture{c.width, c.height, {}, {}, {}};
-    picture.pixels.resize(std::size_t{c.width} * c.height);
-    picture.depth.resize(picture.pixels.size());
-    return picture;
-  }
+  /// A picture of the renderer's size, to be filled.
+  [[nodiscard]] PictureType empty_picture() const;
+  /// Keeps the first fault of a frame.
   void note(Status status) {
     if (status_.ok()) status_ = status;
   }
 
+ private:
   std::vector<std::byte> memory_;
   Renderer<Traits> renderer_;
-  Status status_;
+  Status status_, added_, drawn_;
 };
+
+// Defined outside of the class, so that they are not inline: ready_made_studios.hpp keeps tests from compiling them
+// again.
+
+template <class Traits>
+Studio<Traits>::Studio(const Capacity& capacity)
+    : memory_(Renderer<Traits>::bytes_needed(capacity)), renderer_(capacity, memory_) {
+  if (!renderer_.status().ok()) throw std::logic_error("renderer refused its capacity");
+}
+
+template <class Traits>
+Statistics Studio<Traits>::statistics() const {
+  return renderer_.statistics();
+}
+
+template <class Traits>
+void Studio<Traits>::begin(const FrameSettings& settings) {
+  status_ = renderer_.begin(settings);
+}
+
+template <class Traits>
+void Studio<Traits>::add(const Mesh& mesh, const Transform& transform, const Material& material) {
+  added_ = renderer_.add(mesh, transform, material);
+  note(added_);
+}
+
+template <class Traits>
+void Studio<Traits>::add_screen(std::span<const ScreenVertex> vertices, std::span<const std::uint16_t> colours,
+                                const Material& material) {
+  note(renderer_.add_screen(vertices, colours, material));
+}
+
+template <class Traits>
+Picture<Traits> Studio<Traits>::draw() {
+  PictureType picture = empty_picture();
+  drawn_ = renderer_.draw(Collector<Traits>{picture});
+  note(drawn_);
+  return picture;
+}
+
+template <class Traits>
+Picture<Traits> Studio<Traits>::draw_screen(std::span<const Corners> triangles, Cull cull) {
+  const Capacity& c = renderer_.capacity();
+  const auto vertices = vertices_of(triangles, Depth::bits, c.width, c.height);
+  std::vector<std::uint16_t> colours(triangles.size());
+  for (std::size_t i = 0; i < colours.size(); ++i) colours[i] = static_cast<std::uint16_t>(i * 40503u + 1u);
+  FrameSettings settings;
+  settings.cull = cull;
+  begin(settings);
+  add_screen(vertices, colours);
+  return draw();
+}
+
+template <class Traits>
+Picture<Traits> Studio<Traits>::empty_picture() const {
+  const Capacity& c = renderer_.capacity();
+  PictureType picture{c.width, c.height, {}, {}, {}};
+  picture.pixels.resize(std::size_t{c.width} * c.height);
+  picture.depth.resize(picture.pixels.size());
+  return picture;
+}
 
 /// Room for triangles given on screen, in bands of this height (0: one band).
 [[nodiscard]] inline Capacity screen_capacity(int width, int height, std::size_t triangles, int band_lines = 0) {

@@ -9,7 +9,7 @@
 
 #include "scenes/model_view.hpp"
 #include "support/effort.hpp"
-#include "support/studio.hpp"
+#include "support/ready_made_studios.hpp"
 #include "support/triangle_kinds.hpp"
 
 namespace spanline::test {

@@ -8,7 +8,7 @@
 
 #include "support/effort.hpp"
 #include "support/exact_triangle.hpp"
-#include "support/studio.hpp"
+#include "support/ready_made_studios.hpp"
 #include "support/triangle_kinds.hpp"
 
 namespace spanline::test {

@@ -8,7 +8,7 @@
 
 #include "scenes/screen_soups.hpp"
 #include "support/effort.hpp"
-#include "support/studio.hpp"
+#include "support/ready_made_studios.hpp"
 #include "support/triangle_kinds.hpp"
 
 namespace spanline::test {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "support/effort.hpp"
-#include "support/studio.hpp"
+#include "support/ready_made_studios.hpp"
 #include "support/triangle_kinds.hpp"
 
 namespace spanline::test {
