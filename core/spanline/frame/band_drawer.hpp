@@ -155,7 +155,7 @@ class BandDrawer {
   /// Draws a band that was cleared. Tells the sink which triangles cover a pixel centre, if the traits ask for
   /// statistics.
   template <class Sink>
-  BandView draw_band(const Scene& scene, std::uint32_t band, Sink& sink) {
+  [[gnu::always_inline]] BandView draw_band(const Scene& scene, std::uint32_t band, Sink& sink) {
     const BandView view = band_view(band);
     const auto draw = [&](auto covered) {
       visibility_.draw_band(scene.table, scene.shading, static_cast<std::int32_t>(band), viewport(),
@@ -249,7 +249,7 @@ class BandDrawer {
             pools_.depth.subspan(depth_start(band), Visibility::keeps_depth ? count : 0), buffer};
   }
   [[nodiscard]] typename Visibility::Target target(const Scene& scene, std::uint32_t band, const BandView& view) const {
-    return {pools_.depth.data() + depth_start(band),
+    return {Visibility::keeps_depth ? pools_.depth.data() + depth_start(band) : nullptr,
             view.pixels.data(),
             capacity_.width,
             view.y0 + row_bias,
