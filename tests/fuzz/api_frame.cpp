@@ -6,6 +6,7 @@
 
 #include "byte_reader.hpp"
 #include "sizes.hpp"
+#include "spanline/model/planarity.hpp"
 #include "spanline/model/validate.hpp"
 #include "support/random.hpp"
 
@@ -136,6 +137,13 @@ void spoil(ByteReader& reader, contract::OwnedMesh& mesh) {
   }
 }
 
+/// Marks the polygons that may be marked.
+void mark_planar(contract::OwnedMesh& mesh) {
+  const Mesh view = mesh.view();
+  for (std::size_t i = 0; i < mesh.corners.size(); ++i)
+    if (planarity_of(view, i, view.first_corner(i)) == Planarity::planar) mesh.corners[i] |= Mesh::planar;
+}
+
 template <class T, class Make>
 void fill(ByteReader& reader, std::vector<T>& table, std::size_t count, int one_in, Make make) {
   if (!reader.chance(one_in)) return;
@@ -176,6 +184,7 @@ contract::OwnedMesh any_mesh(ByteReader& reader) {
   mesh.step_exponent = static_cast<std::int8_t>(std::clamp(-reach + reader.between(-2, 2), -30, 14));
   if (reader.chance(4)) mesh.offset = {reader.half_word(), reader.half_word(), reader.half_word()};
   mesh.fit_bounds();
+  if (reader.chance(2)) mark_planar(mesh);
   if (reader.chance(8)) spoil(reader, mesh);
   return mesh;
 }

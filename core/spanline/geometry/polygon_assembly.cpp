@@ -134,7 +134,7 @@ void PolygonAssembly::run_polygons(const Mesh& mesh, const ScreenVertex* vertice
   auto triangle = static_cast<Link>(range.first_triangle);
   const std::uint32_t end = range.first + range.count;
   for (auto polygon = static_cast<Link>(range.first); polygon < end; ++polygon) {
-    const unsigned corners = mesh.corners[polygon];
+    const unsigned corners = mesh.corner_count(polygon);
     for (unsigned i = 1; i + 1 < corners; ++i, ++triangle) {
       ++counts.total;
       const Link corner[3] = {index[0], index[i], index[i + 1]};

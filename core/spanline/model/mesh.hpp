@@ -72,16 +72,20 @@ struct BoundingSphere {
 /// A mesh as views over read-only tables, usually in flash. It owns nothing; `validate()` checks it once at load.
 ///
 /// Polygons are triangles, or planar convex polygons of 3 … 8 corners, counter-clockwise when seen from the front.
-/// A polygon of n corners is drawn as the fan of triangles (0,1,2), (0,2,3) …, which are numbered in that order.
+/// A polygon of n corners is the fan of triangles (0,1,2), (0,2,3) …, which are numbered in that order.
 struct Mesh {
-  static constexpr unsigned max_corners = 8;          ///< of a polygon
+  static constexpr unsigned max_corners = 8;  ///< of a polygon
+  /// Mark of a polygon in `corners` whose corners lie within half a step of one plane, with texture coordinates,
+  /// colours and opacities that are linear over it. `validate()` holds it against the tables (model/planarity.hpp).
+  static constexpr std::uint8_t planar = 0x80;
   static constexpr std::size_t max_vertices = 65535;  ///< in the table
   static constexpr std::size_t max_polygons = 32767;  ///< in the table
 
   std::span<const Vertex16> vertices{};       ///< the vertices, or empty if `wide_vertices` holds them
   std::span<const Vertex32> wide_vertices{};  ///< the vertices with 32-bit coordinates, or empty
   std::span<const std::uint16_t> indices{};   ///< corner indices, polygon after polygon
-  std::span<const std::uint8_t> corners{};    ///< corners of each polygon; empty: all are triangles
+  /// The corners of each polygon, 3 … 8, plus `planar` for a marked one. Empty: all are triangles.
+  std::span<const std::uint8_t> corners{};
 
   std::span<const PackedNormal> polygon_normals{};           ///< one a polygon, for flat light; empty: fully lit
   std::span<const PackedNormal> vertex_normals{};            ///< one a vertex, for Gouraud light; empty: fully lit
@@ -114,12 +118,12 @@ struct Mesh {
   [[nodiscard]] constexpr std::size_t first_corner(std::size_t polygon) const {
     if (corners.empty()) return polygon * 3;
     std::size_t first = 0;
-    for (std::size_t i = 0; i < polygon; ++i) first += corners[i];
+    for (std::size_t i = 0; i < polygon; ++i) first += corner_count(i);
     return first;
   }
   /// Number of corners of a polygon.
   [[nodiscard]] constexpr unsigned corner_count(std::size_t polygon) const {
-    return corners.empty() ? 3 : corners[polygon];
+    return corners.empty() ? 3u : corners[polygon] & ~unsigned{planar};
   }
   /// Number of triangles of all fans; polygon ids count these.
   [[nodiscard]] constexpr std::size_t triangle_count() const {

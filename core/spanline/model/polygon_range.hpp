@@ -33,9 +33,9 @@ struct PolygonRange {
     PolygonRange range{first_polygon, polygon_count, 3 * first_polygon, first_polygon};
     if (mesh.corners.empty()) return range;
     range.first_index = range.first_triangle = 0;
-    for (const std::uint8_t corners : mesh.corners.first(first_polygon)) {
-      range.first_index += corners;
-      range.first_triangle += corners - 2u;
+    for (std::uint32_t i = 0; i < first_polygon; ++i) {
+      range.first_index += mesh.corner_count(i);
+      range.first_triangle += mesh.corner_count(i) - 2;
     }
     return range;
   }
@@ -43,7 +43,7 @@ struct PolygonRange {
   [[nodiscard]] constexpr std::uint32_t triangle_count(const Mesh& mesh) const {
     if (mesh.corners.empty()) return count;
     std::uint32_t triangles = 0;
-    for (const std::uint8_t corners : mesh.corners.subspan(first, count)) triangles += corners - 2u;
+    for (std::uint32_t i = first; i < first + count; ++i) triangles += mesh.corner_count(i) - 2;
     return triangles;
   }
 };

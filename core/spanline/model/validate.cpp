@@ -1,5 +1,7 @@
 #include "spanline/model/validate.hpp"
 
+#include "spanline/model/planarity.hpp"
+
 namespace spanline {
 namespace {
 
@@ -37,13 +39,26 @@ MeshReport check_polygons(const Mesh& mesh) {
   } else {
     std::size_t used = 0;
     for (std::size_t i = 0; i < mesh.corners.size(); ++i) {
-      if (mesh.corners[i] < 3 || mesh.corners[i] > Mesh::max_corners) return fault(MeshFault::corner_count, i);
-      used += mesh.corners[i];
+      const unsigned corners = mesh.corner_count(i);
+      if (corners < 3 || corners > Mesh::max_corners) return fault(MeshFault::corner_count, i);
+      used += corners;
     }
     if (used != mesh.indices.size()) return fault(MeshFault::ragged_indices, used);
   }
   for (std::size_t i = 0; i < mesh.indices.size(); ++i)
     if (mesh.indices[i] >= mesh.vertex_count()) return fault(MeshFault::index_out_of_range, i);
+  return {};
+}
+
+/// Holds the marks of planar polygons against their corners.
+MeshReport check_marks(const Mesh& mesh) {
+  std::size_t first_index = 0;
+  for (std::size_t i = 0; i < mesh.corners.size(); first_index += mesh.corner_count(i), ++i) {
+    if ((mesh.corners[i] & Mesh::planar) == 0) continue;
+    const Planarity planarity = planarity_of(mesh, i, first_index);
+    if (planarity != Planarity::planar)
+      return fault(planarity == Planarity::bent ? MeshFault::not_planar : MeshFault::not_linear, i);
+  }
   return {};
 }
 
@@ -72,8 +87,9 @@ MeshReport check_vertices(std::span<const Vertex> vertices, const BoundingSphere
 MeshReport validate(const Mesh& mesh) {
   if (const MeshReport report = check_sizes(mesh); !report.ok()) return report;
   if (const MeshReport report = check_polygons(mesh); !report.ok()) return report;
-  if (mesh.vertices.empty()) return check_vertices(mesh.wide_vertices, mesh.bounds);
-  return check_vertices(mesh.vertices, mesh.bounds);
+  const MeshReport vertices = mesh.vertices.empty() ? check_vertices(mesh.wide_vertices, mesh.bounds)
+                                                    : check_vertices(mesh.vertices, mesh.bounds);
+  return vertices.ok() ? check_marks(mesh) : vertices;
 }
 
 const char* to_string(MeshFault fault) {
@@ -116,6 +132,10 @@ const char* to_string(MeshFault fault) {
       return "step exponent out of range";
     case MeshFault::bounds_too_small:
       return "vertex outside the bounding sphere";
+    case MeshFault::not_planar:
+      return "polygon marked as planar that is not";
+    case MeshFault::not_linear:
+      return "polygon marked as planar whose attributes are not linear over it";
   }
   return "unknown fault";
 }

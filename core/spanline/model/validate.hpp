@@ -34,6 +34,8 @@ enum class MeshFault : std::uint8_t {
   step_exponent_range,        ///< outside [−30, 14]
   texture_exponent_range,     ///< outside [−20, −5]
   bounds_too_small,           ///< a vertex outside the bounding sphere
+  not_planar,                 ///< a polygon marked with Mesh::planar whose corners do not lie in a plane
+  not_linear,  ///< a polygon so marked with texture coordinates, colours or opacities that are not linear
 };
 
 /// The first fault of a mesh and its place: `at` is an index into the table that the fault names.

@@ -95,6 +95,27 @@ TEST(Validate, WantsNoneOrOneAttributeEach) {
   spoil(&OwnedMesh::vertex_opacities, MeshFault::vertex_opacities_count);
 }
 
+TEST(Validate, HoldsMarksOfPlanarPolygonsAgainstTheirCorners) {
+  OwnedMesh mesh = full_mesh();
+  for (std::size_t i = 0; i < 8; ++i)
+    mesh.vertices[i] = {static_cast<std::int16_t>(i % 4 % 3 == 0 ? 0 : 90),
+                        static_cast<std::int16_t>(i % 4 < 2 ? 0 : 90), 0};
+  mesh.fit_bounds();
+  for (std::uint8_t& corners : mesh.corners) corners |= Mesh::planar;
+  EXPECT_TRUE(validate(mesh.view()).ok());
+  EXPECT_EQ(mesh.view().triangle_count(), 5U);
+  EXPECT_EQ(mesh.view().first_corner(2), 8U);
+  mesh.texture_coordinates[5].t = 1000;
+  expect_fault(mesh, MeshFault::not_linear, 1);
+  mesh.vertices[5].z = 40;
+  mesh.fit_bounds();
+  expect_fault(mesh, MeshFault::not_planar, 1);
+  mesh.corners[1] = 4;
+  EXPECT_TRUE(validate(mesh.view()).ok()) << "nothing is said of a polygon without a mark";
+  mesh.corners = {2 | Mesh::planar, 6, 3};
+  expect_fault(mesh, MeshFault::corner_count, 0);
+}
+
 TEST(Validate, NamesTheVertexOutsideTheSphere) {
   OwnedMesh mesh = tetrahedron(100);
   mesh.bounds = {{0, 0, 0}, 174};  // the corners are 173.2 away
