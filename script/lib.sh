@@ -131,8 +131,9 @@ convert_models() {
 build_all() {
   install_packages
   fetch_models
-  fetch_emulator
+  fetch_emulator &
   build_host
   convert_models
+  wait $! || fail "the Pico's emulator was not fetched"
   build_presets "$@"
 }

@@ -25,8 +25,8 @@ struct ActiveTriangle {
   LinearFunction depth;          ///< plane word on the current row; its column 0 is screen column `origin`
   std::int32_t origin;           ///< screen column where the columns of edges and functions are 0
   std::int32_t row;              ///< current row, biased
-  std::int32_t rows_to_knee;     ///< rows left until the third edge replaces the left or right one
-  std::int32_t rows_after_knee;  ///< rows left along the third edge
+  std::int32_t rows_to_knee;     ///< rows left until the third edge, or an outline's next one, replaces one of the two
+  std::int32_t rows_after_knee;  ///< rows left after those
   enum class Size : std::uint8_t { small, medium, large };
 
   /// Flags in one word, so that set-up writes them with one store.
@@ -45,9 +45,16 @@ struct ActiveTriangle {
     /// Whether the third edge has replaced the left or right one.
     [[nodiscard]] bool past_knee() const { return (bits_ & past_knee_bit) != 0; }
     void set_past_knee() { bits_ |= past_knee_bit; }
+    /// Whether this is a polygon of any number of corners. It has no third edge: where one of its edges ends, both are
+    /// placed anew (raster/outline_setup.hpp).
+    [[nodiscard]] bool outline() const { return (bits_ & outline_bit) != 0; }
+    /// Whether an outline's corners are clockwise on screen.
+    [[nodiscard]] bool clockwise() const { return (bits_ & clockwise_bit) != 0; }
+    void set_outline(bool clockwise) { bits_ |= outline_bit | (clockwise ? clockwise_bit : 0); }
 
    private:
-    static constexpr std::uint32_t size_mask = 3, third_on_right_bit = 4, clipped_bit = 8, past_knee_bit = 16;
+    static constexpr std::uint32_t size_mask = 3, third_on_right_bit = 4, clipped_bit = 8, past_knee_bit = 16,
+                                   outline_bit = 32, clockwise_bit = 64;
     std::uint32_t bits_;
   } flags;
 
