@@ -71,9 +71,10 @@ class Submissions {
   template <SubmissionOrder Order>
   Status add_in_order(Order&& order, std::span<const OrderedInstance> instances) {
     const std::uint32_t first_id = pools_.used.ids;
+    InstanceNumber at{0, first_id};
     Status first_fault;
     for (OrderRuns runs(order); runs.more();) {
-      const Status status = place_run(runs, instances, first_id);
+      const Status status = place_run(runs, instances, at);
       // After the first fault, later instances may need more of the same pool.
       const bool wants_more = status.fault == Fault::pool_full && status.pool == first_fault.pool;
       if (first_fault.ok() || wants_more) first_fault = status;
@@ -175,18 +176,30 @@ class Submissions {
     return assemble(mesh, transform, material, plan, geometry, group, store, parts);
   }
 
-  /// Places what a run of an order names of its instance. `first_id` is the number of the first instance's first
-  /// triangle.
+  /// An instance of a list, and the number of its first triangle.
+  struct InstanceNumber {
+    std::uint32_t instance, first_id;
+
+    /// Goes to another instance. The way is counted from this one, since orders often name neighbours.
+    void move_to(std::uint32_t number, std::span<const OrderedInstance> instances) {
+      const auto triangles = [&](std::uint32_t i) {
+        return static_cast<std::uint32_t>(instances[i].mesh->triangle_count());
+      };
+      while (instance < number) first_id += triangles(instance++);
+      while (instance > number) first_id -= triangles(--instance);
+    }
+  };
+
+  /// Places what a run of an order names of its instance. `at` is the instance of the run before.
   template <class Order>
-  Status place_run(OrderRuns<Order>& runs, std::span<const OrderedInstance> instances, std::uint32_t first_id) {
+  Status place_run(OrderRuns<Order>& runs, std::span<const OrderedInstance> instances, InstanceNumber& at) {
     const std::uint32_t number = runs.instance();
     bool taken = false, exist = number < instances.size();
     Status status;
     if (exist) {
       const OrderedInstance& instance = instances[number];
-      for (const OrderedInstance& before : instances.first(number))
-        first_id += static_cast<std::uint32_t>(before.mesh->triangle_count());
-      status = place(*instance.mesh, instance.transform, instance.material, first_id, [&](auto assemble) {
+      at.move_to(number, instances);
+      status = place(*instance.mesh, instance.transform, instance.material, at.first_id, [&](auto assemble) {
         taken = true;
         const PolygonRange whole = PolygonRange::whole(*instance.mesh);
         runs.take_run([&](const Submission& submission) {

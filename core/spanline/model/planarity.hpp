@@ -1,19 +1,19 @@
 #pragma once
 /// @file
-/// Whether a polygon may be marked as planar, so that it is drawn as one polygon and not as a fan of triangles.
+/// Whether a polygon may be marked as planar. A marked polygon can be drawn with one plane and one surface; the renderer
+/// still draws its fan of triangles.
 ///
 /// ```cpp
 /// constexpr Vertex16 corners[] = {{0, 0, 0}, {256, 0, 0}, {256, 256, 0}, {0, 256, 0}};
 /// constexpr std::uint16_t indices[] = {0, 1, 2, 3};
 /// constexpr std::uint8_t corner_counts[] = {4 | Mesh::planar};
-/// constexpr Mesh square{
+/// const Mesh square{
 ///     .vertices = corners, .indices = indices, .corners = corner_counts, .step_exponent = -8, .bounds = {{}, 363}};
-/// static_assert(planarity_of(square, 0, 0) == Planarity::planar);
+/// const bool may_be_marked = planarity_of(square, 0, 0) == Planarity::planar;
 /// ```
 #include <cstddef>
 #include <cstdint>
 
-#include "spanline/math/vector.hpp"
 #include "spanline/model/mesh.hpp"
 
 namespace spanline {
@@ -25,115 +25,8 @@ enum class Planarity : std::uint8_t {
   unlinear,  ///< its texture coordinates, colours or opacities are no linear function over it
 };
 
-namespace planarity {
-
-using Vector = Vec3<std::int64_t>;
-
-/// A corner of a polygon, from its first corner on, steps.
-[[nodiscard]] constexpr Vector corner(const Mesh& mesh, std::size_t first_index, unsigned number) {
-  const Vertex32 a = mesh.vertex(mesh.indices[first_index]), b = mesh.vertex(mesh.indices[first_index + number]);
-  return {std::int64_t{b.x} - a.x, std::int64_t{b.y} - a.y, std::int64_t{b.z} - a.z};
-}
-
-[[nodiscard]] constexpr std::int64_t size_of(std::int64_t value) { return value < 0 ? -value : value; }
-
-/// Corners are at most this far from the first, in steps along each axis. So components of the normal are below 2^38,
-/// and distances times the normal's length below 2^57.
-inline constexpr std::int64_t reach = std::int64_t{1} << 17;
-
-/// The polygon's normal by M. Newell's method (Sutherland, Sproull and Schumacker, "A Characterization of Ten
-/// Hidden-Surface Algorithms", 1974): twice the areas of its projections along the axes, square steps. It is null if
-/// the polygon has no area or a corner is out of reach.
-[[nodiscard]] constexpr Vector normal(const Mesh& mesh, std::size_t first_index, unsigned corners) {
-  Vector sum{};
-  Vector before = corner(mesh, first_index, 1);
-  for (unsigned i = 1; i < corners; ++i) {
-    const Vector p = corner(mesh, first_index, i);
-    if (size_of(p.x) > reach || size_of(p.y) > reach || size_of(p.z) > reach) return {};
-    sum.x += before.y * p.z - before.z * p.y;
-    sum.y += before.z * p.x - before.x * p.z;
-    sum.z += before.x * p.y - before.y * p.x;
-    before = p;
-  }
-  return sum;
-}
-
-/// Whether all corners lie within half a step of the plane with this normal that lies midway between the outermost of
-/// them. Lengths are compared by their highest 31 bits, so that squares fit 64 bits; rounding decides against the
-/// polygon.
-[[nodiscard]] constexpr bool is_flat(const Mesh& mesh, std::size_t first_index, unsigned corners, const Vector& n) {
-  std::int64_t lowest = 0, highest = 0;
-  for (unsigned i = 1; i < corners; ++i) {
-    const Vector p = corner(mesh, first_index, i);
-    const std::int64_t height = n.x * p.x + n.y * p.y + n.z * p.z;
-    lowest = height < lowest ? height : lowest;
-    highest = height > highest ? height : highest;
-  }
-  const std::int64_t length_bound = size_of(n.x) + size_of(n.y) + size_of(n.z), thickness = highest - lowest;
-  if (length_bound == 0 || thickness > length_bound) return false;
-  int shift = 0;
-  while (length_bound >> shift >= std::int64_t{1} << 31) ++shift;
-  const auto square = [](std::int64_t v) { return static_cast<std::uint64_t>(v * v); };
-  const std::int64_t rounding = (std::int64_t{1} << shift) - 1;
-  return square((thickness + rounding) >> shift) <=
-         square(size_of(n.x) >> shift) + square(size_of(n.y) >> shift) + square(size_of(n.z) >> shift);
-}
-
-/// A corner on the plane of the two axes that the polygon's normal leans on least, where its area is largest.
-struct Point {
-  std::int64_t x, y;
-};
-[[nodiscard]] constexpr std::int64_t area(Point a, Point b) { return a.x * b.y - a.y * b.x; }
-
-/// Whether `value_of(vertex)` is a linear function over the polygon: the one through the three corners of the fan's
-/// largest triangle is, at every corner, within two units and what two steps aside change. So much the rounding of four
-/// corners and four values may amount to.
-template <class ValueOf>
-[[nodiscard]] constexpr bool is_linear(const Mesh& mesh, std::size_t first_index, unsigned corners, const Vector& n,
-                                       ValueOf value_of) {
-  const std::int64_t x = size_of(n.x), y = size_of(n.y), z = size_of(n.z);
-  const auto point = [&](unsigned i) -> Point {
-    const Vector p = corner(mesh, first_index, i);
-    return x >= y && x >= z ? Point{p.y, p.z} : y >= z ? Point{p.z, p.x} : Point{p.x, p.y};
-  };
-  const auto value = [&](unsigned i) {
-    return std::int64_t{value_of(mesh.indices[first_index + i])} - value_of(mesh.indices[first_index]);
-  };
-  unsigned largest = 1;
-  for (unsigned i = 2; i + 1 < corners; ++i)
-    if (size_of(area(point(i), point(i + 1))) > size_of(area(point(largest), point(largest + 1)))) largest = i;
-  const Point b = point(largest), c = point(largest + 1);
-  const std::int64_t whole = area(b, c), value_b = value(largest), value_c = value(largest + 1);
-  const std::int64_t slope_x = value_b * c.y - value_c * b.y, slope_y = value_c * b.x - value_b * c.x;  // times `whole`
-  const std::int64_t allowed = 2 * (size_of(whole) + size_of(slope_x) + size_of(slope_y));
-  for (unsigned i = 1; i < corners; ++i) {
-    const Point p = point(i);
-    if (size_of(slope_x * p.x + slope_y * p.y - value(i) * whole) > allowed) return false;
-  }
-  return true;
-}
-
-}  // namespace planarity
-
 /// Whether polygon `polygon` of a mesh may be marked with Mesh::planar; `first_index` is that of its first corner in
 /// `indices`. The mesh's other tables are valid.
-[[nodiscard]] constexpr Planarity planarity_of(const Mesh& mesh, std::size_t polygon, std::size_t first_index) {
-  const unsigned corners = mesh.corner_count(polygon);
-  const planarity::Vector n = planarity::normal(mesh, first_index, corners);
-  if (!planarity::is_flat(mesh, first_index, corners, n)) return Planarity::bent;
-  const auto linear = [&](auto value_of) { return planarity::is_linear(mesh, first_index, corners, n, value_of); };
-  if (!mesh.texture_coordinates.empty()) {
-    if (!linear([&](std::size_t v) { return mesh.texture_coordinates[v].s; })) return Planarity::unlinear;
-    if (!linear([&](std::size_t v) { return mesh.texture_coordinates[v].t; })) return Planarity::unlinear;
-  }
-  if (!mesh.vertex_colours.empty()) {
-    if (!linear([&](std::size_t v) { return mesh.vertex_colours[v].red; })) return Planarity::unlinear;
-    if (!linear([&](std::size_t v) { return mesh.vertex_colours[v].green; })) return Planarity::unlinear;
-    if (!linear([&](std::size_t v) { return mesh.vertex_colours[v].blue; })) return Planarity::unlinear;
-  }
-  if (!mesh.vertex_opacities.empty() && !linear([&](std::size_t v) { return mesh.vertex_opacities[v]; }))
-    return Planarity::unlinear;
-  return Planarity::planar;
-}
+[[nodiscard]] Planarity planarity_of(const Mesh& mesh, std::size_t polygon, std::size_t first_index);
 
 }  // namespace spanline
