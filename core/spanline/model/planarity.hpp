@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// Whether a polygon may be marked as planar. A marked polygon can be drawn with one plane and one surface; the renderer
-/// still draws its fan of triangles.
+/// Whether a polygon may be marked as planar. A marked polygon can be drawn with one plane and one surface; the
+/// renderer still draws its fan of triangles.
 ///
 /// ```cpp
 /// constexpr Vertex16 corners[] = {{0, 0, 0}, {256, 0, 0}, {256, 256, 0}, {0, 256, 0}};
