@@ -52,15 +52,17 @@ ViewTransform::ViewTransform(const FrameView& view, const Mesh& mesh, const Tran
     greatest_position = std::max(greatest_position, absolute(position[i]));
   }
 
-  // The reach of the view is the far plane, or the greatest distance of the instance if that is larger. `steps` is a
-  // bound of |vertex + offset| over all three axes.
+  // The reach of the view is the farther of its two planes (the near plane of an orthographic view may lie far behind
+  // the eye), or the greatest distance of the instance if that is larger. `steps` is a bound of |vertex + offset| over
+  // all three axes.
   const std::uint64_t steps = static_cast<std::uint64_t>(magnitude(mesh.offset.x)) + magnitude(mesh.offset.y) +
                               magnitude(mesh.offset.z) + magnitude(mesh.bounds.centre.x) +
                               magnitude(mesh.bounds.centre.y) + magnitude(mesh.bounds.centre.z) + mesh.bounds.radius;
   const int instance_log2 = bit_count(greatest_linear) - linear_fraction + mesh.step_exponent + bit_count(steps) + 1;
   const int position_log2 = bit_count(greatest_position) - world_fraction;
-  const int far_log2 = bit_count(magnitude(camera.far_plane.raw())) - 16;
-  const int reach_log2 = std::max({instance_log2, position_log2, far_log2}) + 1;
+  const int planes_log2 =
+      bit_count(std::max(magnitude(camera.near_plane.raw()), magnitude(camera.far_plane.raw()))) - 16;
+  const int reach_log2 = std::max({instance_log2, position_log2, planes_log2}) + 1;
   exponent_ = view_bits - reach_log2;
 
   const int entry_shift = linear_fraction - mesh.step_exponent - exponent_;  // right shift: linear → view units a step

@@ -33,7 +33,7 @@ class ViewTransform {
   ViewTransform(const FrameView& view, const Mesh& mesh, const Transform& transform);
 
   /// Transforms a vertex of the mesh, |coordinate| ≤ 2^30. The error is below 2^-26 of the reach of the view, which is
-  /// the far plane or the greatest distance of the instance if that is larger.
+  /// the distance of the farther plane, or the greatest distance of the instance if that is larger.
   [[nodiscard]] ViewPoint operator()(std::int32_t x, std::int32_t y, std::int32_t z) const {
     return {component(0, x, y, z), component(1, x, y, z), component(2, x, y, z)};
   }

@@ -58,6 +58,34 @@ TEST(DepthFormula, IsRoundedToHalfAUnitOverTheWholeRange) {
     }
 }
 
+TEST(DepthFormula, HoldsWhereOrthographicPlanesLieFarBehindTheEye) {
+  // Both planes, and a model of any size, however near: view units follow the farthest of them.
+  Random random(2);
+  const OwnedMesh owned = tetrahedron();
+  const Mesh mesh = owned.view();
+  for (const int bits : {16, 24}) {
+    double worst = 0;
+    for (int i = 0; i < rounds(4000); ++i) {
+      const double near = -std::exp2(random.real(-4, 14.99)), far = near + std::exp2(random.real(-8, 1)) * -near;
+      const FrameView view = view_of(Projection::orthographic, near, far, bits);
+      Transform transform;
+      transform.scale = Fixed<24>::from_raw(1 << random.between(4, 24));
+      const ViewTransform to_view(view, mesh, transform);
+      const std::int64_t reach = std::int64_t{1} << 43;
+      ASSERT_LT(-to_view.near_plane(), reach) << near << " … " << far;
+      ASSERT_LT(std::abs(to_view.far_plane()), reach) << near << " … " << far;
+      const PointProjection projected(view, to_view);
+      const ExactView exact(view, mesh, transform);
+      const std::int64_t z = random.wide(to_view.near_plane(), to_view.far_plane());
+      const Real want = std::clamp<Real>(exact.depth(std::ldexp(static_cast<Real>(z), -to_view.exponent())),
+                                         view.nearest_depth, view.farthest_depth);
+      worst = std::max(worst, static_cast<double>(std::fabs(want - static_cast<Real>(projected.depth_at(z)))));
+    }
+    std::printf("planes behind the eye, %d bits: %.4f units at most\n", bits, worst);
+    EXPECT_LE(worst, bits == 16 ? 0.51 : 0.75);
+  }
+}
+
 TEST(DepthFormula, NeverDecreasesWithDistance) {
   for (const Projection projection : {Projection::perspective, Projection::orthographic})
     for (const int bits : {16, 24}) {
