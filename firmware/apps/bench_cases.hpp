@@ -20,6 +20,9 @@ namespace spanline::bench {
 alignas(8) inline std::byte memory[1024 * 1024];
 inline ScreenVertex soup_vertices[6000];
 inline std::uint16_t soup_colours[2000];
+inline ScreenVertex square_vertices[4000];
+inline std::uint16_t square_colours[1000];
+inline std::uint8_t square_corners[1000];
 
 inline void print(const char* scene, const char* visibility, int depth, unsigned band, std::uint32_t instructions,
                   std::uint32_t crc, std::size_t peak_bytes) {
@@ -83,6 +86,31 @@ void soups(const char* visibility, unsigned band) {
   soup("S7F", 40, [](scenes::ScreenSoup target) { scenes::make_full_screen_quads(false, Depth::bits, target); });
 }
 
+/// R8 and R32: squares as they are, and as two triangles each (R8T, R32T).
+template <class Depth, class Visibility>
+void squares(const char* visibility, unsigned band) {
+  using Traits = FlatTraits<Rgb565, Depth, Visibility>;
+  const auto measure_squares = [&](const char* name, const char* name_of_triangles, std::uint32_t leg,
+                                   std::uint32_t count) {
+    const scenes::ScreenSoup whole{std::span(square_vertices).first(4 * count),
+                                   std::span(square_colours).first(count)};
+    const auto corners = std::span(square_corners).first(count);
+    scenes::make_squares(leg, Depth::bits, whole);
+    std::fill(corners.begin(), corners.end(), static_cast<std::uint8_t>(4 | Mesh::planar));
+    Capacity capacity{.polygons = 2 * count, .fans = 2 * count, .active = 600, .awake = 600};
+    soup<Traits>(name_of_triangles, visibility, capacity, band, {},
+                 [&](scenes::ScreenSoup triangles) { scenes::cut_squares(whole, triangles); });
+    capacity.polygons = count;
+    measure<Traits>(name, visibility, capacity, band, [&](auto& renderer) {
+      (void)renderer.begin({.cull = Cull::none});
+      if (!renderer.add_screen(whole.vertices, corners, whole.colours, {}).ok())
+        board::write("bench: a pool is full\n");
+    });
+  };
+  measure_squares("R8", "R8T", 8, 1000);
+  measure_squares("R32", "R32T", 32, 250);
+}
+
 template <class Traits>
 void model(const char* name, const char* visibility, ShadingMode shading, unsigned band) {
   const Mesh& mesh = spanline_models::bunny;
@@ -123,7 +151,10 @@ void draw_cases(const char* visibility, int depth_bits, unsigned band);
 
 template <class Depth, class Visibility, AlgorithmId Unit>
 void draw_cases_at(const char* visibility, unsigned band) {
-  if constexpr (entry_of(Unit).needs == AlgorithmNeeds::screen_polygons) soups<Depth, Visibility>(visibility, band);
+  if constexpr (entry_of(Unit).needs == AlgorithmNeeds::screen_polygons) {
+    soups<Depth, Visibility>(visibility, band);
+    squares<Depth, Visibility>(visibility, band);
+  }
   model<FlatTraits<Rgb565, Depth, Visibility>>("S4", visibility, ShadingMode::flat, band);
   model<GouraudTraits<Rgb565, Depth, Visibility>>("S5", visibility, ShadingMode::gouraud, band);
   wall<TextureTraits<Rgb565, Depth, Visibility>>(visibility, band);

@@ -80,4 +80,30 @@ inline void make_full_screen_quads(bool back_to_front, int depth_bits, ScreenSou
   }
 }
 
+/// Benchmark scenes R8 and R32: flat squares of `leg` pixels at random places, in planes at random depths. Corners go
+/// four by four, clockwise from top left, and there is a colour for each square.
+inline void make_squares(std::uint32_t leg, int depth_bits, ScreenSoup soup) {
+  Random random;
+  for (std::size_t i = 0; i < soup.colours.size(); ++i) {
+    const std::uint32_t x0 = random() % (321 - leg), y0 = random() % (241 - leg);
+    const std::uint32_t base = 4096 + random() % 57344, across = random() % 1024, down = random() % 1024;
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      const bool right = k == 1 || k == 2, below = k >= 2;
+      soup.vertices[4 * i + k] = soup_vertex(static_cast<std::int32_t>(x0 + (right ? leg : 0)),
+                                             static_cast<std::int32_t>(y0 + (below ? leg : 0)),
+                                             base + (right ? across : 0) + (below ? down : 0), depth_bits);
+    }
+    soup.colours[i] = static_cast<std::uint16_t>((random() >> 8) & 0xffff);
+  }
+}
+
+/// The same squares as two triangles each. `triangles` has room for twice as many colours as `squares` has.
+inline void cut_squares(ScreenSoup squares, ScreenSoup triangles) {
+  for (std::size_t i = 0; i < squares.colours.size(); ++i) {
+    constexpr std::array<std::uint8_t, 6> corners{0, 1, 2, 0, 2, 3};
+    for (std::size_t k = 0; k < 6; ++k) triangles.vertices[6 * i + k] = squares.vertices[4 * i + corners[k]];
+    triangles.colours[2 * i] = triangles.colours[2 * i + 1] = squares.colours[i];
+  }
+}
+
 }  // namespace spanline::scenes

@@ -7,15 +7,9 @@
 #include "spanline/cpu/form.hpp"
 #include "spanline/math/bits.hpp"
 #include "spanline/raster/screen_vertex.hpp"
+#include "spanline/raster/signed_area.hpp"
 
 namespace spanline {
-
-/// Twice the signed area on screen, y down; negative if the corners run counter-clockwise for the viewer.
-template <class Wide>
-[[nodiscard]] inline Wide signed_area(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c) {
-  const Wide dx1 = b.x - a.x, dy1 = b.y - a.y, dx2 = c.x - a.x, dy2 = c.y - a.y;
-  return dx1 * dy2 - dx2 * dy1;
-}
 
 /// A vertex's position as one word: x in the low half, y in the high half.
 [[nodiscard]] inline std::uint32_t position_word(const ScreenVertex& v) {

@@ -37,7 +37,7 @@ struct FramePools {
   std::span<PixelwiseGroup> pixelwise;        ///< one for each instance, for reliefs and solids
   std::span<LocalLighting> local_lights;      ///< one for each instance, for point lights and highlights
   std::span<PolygonReference> references;     ///< the records of the polygon table
-  std::span<FanTriangle> fans;  ///< triangles of clipped polygons and of polygons with more than three corners
+  std::span<Link> fans;               ///< records of the polygon table (FanRecords)
   std::span<Link> buckets;      ///< start of each band's list in the polygon table
 
   /// Whether a renderer accepts these sizes, and if not, why.
@@ -69,7 +69,7 @@ struct FramePools {
     pixelwise = arena.take<PixelwiseGroup>(Set::has_pixelwise ? c.instances : 0);
     local_lights = arena.take<LocalLighting>(Set::has_local_light ? c.instances : 0);
     references = arena.take<PolygonReference>(c.polygons);
-    fans = arena.take<FanTriangle>(c.fans);
+    fans = arena.take<Link>(std::size_t{c.fans} * FanRecords::numbers_in_record);
     buckets = arena.take<Link>(bucket_count(c));
   }
 
@@ -158,7 +158,7 @@ struct FramePools {
     peaks.textures = used.textures * (sizeof(TextureVertex) + (Set::has_volumes ? sizeof(std::int32_t) : 0)) +
                      (Set::has_textures || Set::has_local_light ? table.group_count * sizeof(TexturedGroup) : 0);
     peaks.polygons = table.polygon_count * sizeof(PolygonReference);
-    peaks.fans = table.fan_count * sizeof(FanTriangle);
+    peaks.fans = table.fans.used() * FanRecords::numbers_in_record * sizeof(Link);
     peaks.buckets = buckets.size_bytes();
     return peaks;
   }

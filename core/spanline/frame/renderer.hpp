@@ -142,6 +142,14 @@ class Renderer {
     if (!frame_.ok()) return frame_;
     return submissions_.add_screen(vertices, colours, material);
   }
+  /// The same for convex polygons with a colour each. `corners` counts those of each polygon, as Mesh::corners does: a
+  /// marked polygon has the plane of its reference triangle (docs/conventions.md). `vertices` has that many in all, at
+  /// most 65,534 on 32-bit cores.
+  Status add_screen(std::span<const ScreenVertex> vertices, std::span<const std::uint8_t> corners,
+                    std::span<const std::uint16_t> colours, const Material& material) {
+    if (!frame_.ok()) return frame_;
+    return submissions_.add_screen(vertices, corners, colours, material);
+  }
 
   /// With a FillingSink, between `begin` and `draw`: starts to clear the first band while instances are added. Returns
   /// false if the sink abandons the frame; `draw` will then fail too.

@@ -52,6 +52,7 @@ enum class Fault : std::uint8_t {
   too_many_triangles,  ///< in one call: triangle numbers would not fit; nothing was added
   no_world,            ///< polygons on the screen for an algorithm that works in the world; nothing was added
   bad_order,           ///< an order of submission names an instance, or polygons, that do not exist; the rest was added
+  bad_corners,         ///< corner counts beyond [3, 8], or not as many corners as vertices; nothing was added
 };
 
 /// How a call went.
@@ -111,8 +112,9 @@ struct [[nodiscard]] Status {
                                    "sink failed",
                                    "too many triangles",
                                    "polygons on the screen for an algorithm of the world",
-                                   "order of submission names what does not exist"};
-  static_assert(std::size(names) == static_cast<std::size_t>(Fault::bad_order) + 1);
+                                   "order of submission names what does not exist",
+                                   "corner counts that are not those of the vertices"};
+  static_assert(std::size(names) == static_cast<std::size_t>(Fault::bad_corners) + 1);
   return names[static_cast<unsigned>(fault)];
 }
 

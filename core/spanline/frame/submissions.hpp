@@ -41,7 +41,7 @@ class Submissions {
     viewport_ = {capacity.width, capacity.height};
     bucket_of_row_ = BandOfRow(Visibility::bucket_lines(capacity));
     table_.references = pools_.references;
-    table_.fans = pools_.fans;
+    table_.fans = FanRecords(pools_.fans);
     table_.groups = pools_.groups;
     table_.buckets = pools_.buckets;
   }
@@ -87,21 +87,21 @@ class Submissions {
   /// As Renderer::add_screen.
   Status add_screen(std::span<const ScreenVertex> vertices, std::span<const std::uint16_t> colours,
                     const Material& material) {
-    if (needs_world) return Fault::no_world;
-    if (vertices.size() / 3 >= fan_flag) return Fault::too_many_triangles;
-    const std::uint32_t first_id = number_triangles(vertices.size() / 3);
-    const InstancePlan plan = plan_screen_triangles<Traits>(material);
-    if (plan.missing != MissingShader::none) return plan.missing;
-    if (const Status room = pools_.reserve_group(table_.group_count); !room.ok()) return room;
-
-    const Link number = open_group(plan, material, first_id);
-    PolygonGroup& group = table_.groups[number];
-    group.vertices = vertices.data();
-    group.scissored = true;
-    pools_.shading[number].screen_colours = colours.data();
-    PolygonAssembly assembly(table_, bucket_of_row_, viewport_, cull_);
-    assembly.run_screen(vertices);
-    return finish(assembly, 0, plan);
+    return place_on_screen(vertices, colours, material, vertices.size() / 3,
+                           [&](PolygonAssembly& assembly) { assembly.run_screen(vertices); });
+  }
+  /// As Renderer::add_screen with corner counts.
+  Status add_screen(std::span<const ScreenVertex> vertices, std::span<const std::uint8_t> corners,
+                    std::span<const std::uint16_t> colours, const Material& material) {
+    std::size_t corner_count = 0;
+    for (const std::uint8_t count : corners) {
+      const unsigned own = count & ~unsigned{Mesh::planar};
+      if (own < 3 || own > Mesh::max_corners) return Fault::bad_corners;
+      corner_count += own;
+    }
+    if (corner_count != vertices.size()) return Fault::bad_corners;
+    return place_on_screen(vertices, colours, material, corner_count - 2 * corners.size(),
+                           [&](PolygonAssembly& assembly) { assembly.run_screen(vertices, corners); });
   }
 
   /// The polygons that have been added.
@@ -176,6 +176,33 @@ class Submissions {
     return assemble(mesh, transform, material, plan, geometry, group, store, parts);
   }
 
+  /// Adds polygons in screen coordinates, whose fans are so many triangles, by `run(assembly)`.
+  template <class Run>
+  Status place_on_screen(std::span<const ScreenVertex> vertices, std::span<const std::uint16_t> colours,
+                         const Material& material, std::size_t triangles, Run run) {
+    if (needs_world) return Fault::no_world;
+    if (triangles >= fan_flag) return Fault::too_many_triangles;
+    const std::uint32_t first_id = number_triangles(triangles);
+    const InstancePlan plan = plan_screen_triangles<Traits>(material);
+    if (plan.missing != MissingShader::none) return plan.missing;
+    if (const Status room = pools_.reserve_group(table_.group_count); !room.ok()) return room;
+
+    const Link number = open_group(plan, material, first_id);
+    PolygonGroup& group = table_.groups[number];
+    group.vertices = vertices.data();
+    group.scissored = true;
+    pools_.shading[number].screen_colours = colours.data();
+    PolygonAssembly assembly(table_, bucket_of_row_, viewport_, cull_);
+    keep_planar_polygons(assembly, {}, {});
+    run(assembly);
+    return finish(assembly, 0, plan);
+  }
+  static void keep_planar_polygons(PolygonAssembly& assembly, std::span<const std::uint32_t> shades,
+                                   vertex_shade::Kind shade_kind) {
+    if constexpr (requires { Visibility::takes_outlines; })
+      assembly.keep_planar_polygons(Traits::Depth::bits, shades, shade_kind);
+  }
+
   /// An instance of a list, and the number of its first triangle.
   struct InstanceNumber {
     std::uint32_t instance, first_id;
@@ -234,6 +261,9 @@ class Submissions {
         make_texture_vertices(transform, material, plan, geometry, nearness, store);
       }
     }
+    if constexpr (Set::has_ids) clip.fan_lines = FanLineMaker::for_view(view_);
+    // Sphere maps are not linear over polygons.
+    if (plan.coordinates != CoordinateSource::sphere_map) keep_planar_polygons(assembly, store.shades, plan.shades);
     parts([&](const PolygonRange& range) { assembly.run(mesh, group.vertices, group.scissored, clip, range); });
     pools_.close_store(store, plan);
     return finish(assembly, store.wanted_vertices, plan);
@@ -254,6 +284,7 @@ class Submissions {
     counts_.total += assembly.counts.total;
     counts_.outside += assembly.counts.outside;
     counts_.back += assembly.counts.back;
+    counts_.whole += assembly.counts.whole;
     return pools_.missing(assembly, vertices_missing, plan);
   }
 

@@ -82,7 +82,10 @@ ClipVertex Clipper::intersection(unsigned plane, const ClipVertex& a, std::int64
 void ClipPolygon::append(const ClipVertex& corner) {
   unsigned place = 0;
   while (place < corner_.size() && (taken_ >> place & 1) != 0) ++place;
-  if (place == corner_.size() || count_ == most_corners) return;
+  if (place == corner_.size() || count_ == most_corners) {
+    overflowed_ = true;
+    return;
+  }
   corner_[place] = corner;
   taken_ = static_cast<std::uint16_t>(taken_ | 1u << place);
   order_[count_++] = static_cast<std::uint8_t>(place);
@@ -109,6 +112,8 @@ void Clipper::clip(ClipPolygon& polygon) const {
         outside |= 1u << before[i];
       else if (polygon.count_ < ClipPolygon::most_corners)
         polygon.order_[polygon.count_++] = before[i];
+      else
+        polygon.overflowed_ = true;
       if ((distances[i] >= 0) != (distances[j] >= 0))
         polygon.append(
             intersection(plane, polygon.corner_[before[i]], distances[i], polygon.corner_[before[j]], distances[j]));

@@ -22,7 +22,7 @@ struct ClipVertex {
   bool in_guard_band = false;
 };
 
-/// A convex polygon that is being clipped. A triangle gains at most one corner at each plane.
+/// A convex polygon that is being clipped. It gains at most one corner at each plane, so a triangle always fits.
 class ClipPolygon {
  public:
   static constexpr unsigned planes = 6;
@@ -30,9 +30,11 @@ class ClipPolygon {
 
   [[nodiscard]] unsigned count() const { return count_; }
   [[nodiscard]] const ClipVertex& operator[](unsigned i) const { return corner_[order_[i]]; }
-  /// Appends a corner, or leaves it out if there is no room. This cannot happen to convex polygons. One that rounding
-  /// has made slightly non-convex loses a sliver.
+  /// Appends a corner, or leaves it out if there is no room. This cannot happen to triangles. One that rounding has made
+  /// slightly non-convex loses a sliver.
   void append(const ClipVertex& corner);
+  /// Whether a corner was left out.
+  [[nodiscard]] bool overflowed() const { return overflowed_; }
 
  private:
   friend class Clipper;
@@ -42,6 +44,7 @@ class ClipPolygon {
   std::array<std::uint8_t, most_corners> order_{};
   std::uint16_t taken_ = 0;  ///< bit i: corner_[i] is in use
   std::uint8_t count_ = 0;
+  bool overflowed_ = false;
 };
 
 /// Clips polygons in view space to the near and far planes and to the guard band, plane by plane. The intersection of

@@ -46,7 +46,7 @@ inline void PolygonAssembly::append(std::int32_t band, Link source) {
 }
 
 void PolygonAssembly::append_fan(std::int32_t band, const FanTriangle& fan) {
-  if (table_.fan_count >= table_.fans.size()) {
+  if (!table_.fans.has_room(1)) {
     ++fans_wanted;
     return;
   }
@@ -54,8 +54,7 @@ void PolygonAssembly::append_fan(std::int32_t band, const FanTriangle& fan) {
     ++polygons_wanted;
     return;
   }
-  table_.fans[table_.fan_count] = fan;
-  table_.append(band, static_cast<Link>(fan_flag | table_.fan_count++));
+  table_.append(band, static_cast<Link>(fan_flag | table_.fans.append(fan)));
 }
 
 /// Whether a triangle without clip codes is to be drawn. Output: `band`, where it starts. Increments `back` if it is
@@ -104,8 +103,8 @@ void PolygonAssembly::run_triangles(const Mesh& mesh, const ScreenVertex* vertic
         continue;
       }
       if (((a.depth_word | b.depth_word | c.depth_word) & outcode_clip) != 0) {
-        clip_triangle(mesh, clip, vertices, {index[0], index[1], index[2]}, static_cast<Link>(triangle),
-                      static_cast<Link>(triangle));
+        const Link corners[3] = {index[0], index[1], index[2]};
+        clip_triangle(mesh, clip, {vertices, corners, 3}, static_cast<Link>(triangle), static_cast<Link>(triangle));
         continue;
       }
     }
@@ -128,89 +127,16 @@ void PolygonAssembly::run_triangles(const Mesh& mesh, const ScreenVertex* vertic
   }
 }
 
-void PolygonAssembly::run_polygons(const Mesh& mesh, const ScreenVertex* vertices, bool scissored,
-                                   const ClipContext& clip, const PolygonRange& range) {
-  const std::uint16_t* index = mesh.indices.data() + range.first_index;
-  auto triangle = static_cast<Link>(range.first_triangle);
-  const std::uint32_t end = range.first + range.count;
-  for (auto polygon = static_cast<Link>(range.first); polygon < end; ++polygon) {
-    const unsigned corners = mesh.corner_count(polygon);
-    for (unsigned i = 1; i + 1 < corners; ++i, ++triangle) {
-      ++counts.total;
-      const Link corner[3] = {index[0], index[i], index[i + 1]};
-      const ScreenVertex &a = vertices[corner[0]], &b = vertices[corner[1]], &c = vertices[corner[2]];
-      const std::uint32_t all = a.depth_word & b.depth_word & c.depth_word;
-      if (scissored && (all & 0xff) != 0) {
-        ++counts.outside;
-      } else if (scissored && ((a.depth_word | b.depth_word | c.depth_word) & outcode_clip) != 0) {
-        clip_triangle(mesh, clip, vertices, corner, triangle, polygon);
-      } else {
-        std::int32_t band;
-        if (take<true>(cull_, a, b, c, band, counts.back))
-          append_fan(band, {{corner[0], corner[1], corner[2]}, triangle, polygon});
-      }
-    }
-    index += corners;
-  }
+bool PolygonAssembly::take_outside(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c,
+                                   std::int32_t& band, std::uint32_t& back) const {
+  return take<true>(cull_, a, b, c, band, back);
 }
 
-void PolygonAssembly::clip_triangle(const Mesh& mesh, const ClipContext& clip, const ScreenVertex* vertices,
-                                    const Link (&corner)[3], Link triangle, Link polygon) {
-  VertexStore& store = *clip.store;
-  ClipPolygon piece;
-  for (unsigned i = 0; i < 3; ++i) {
-    const bool textured = !store.textures.empty();
-    piece.append({view_point(*clip.transform, mesh, corner[i]), store.shades.empty() ? 0 : store.shades[corner[i]],
-                  textured ? store.textures[corner[i]].s : 0, textured ? store.textures[corner[i]].t : 0,
-                  store.thirds.empty() ? 0 : store.thirds[corner[i]], corner[i],
-                  (vertices[corner[i]].depth_word & (outcode_near | outcode_guard)) == 0});
-  }
-  clip.clipper->clip(piece);
-  if (piece.count() == 0) {
-    ++counts.outside;
-    return;
-  }
-  Link number[ClipPolygon::most_corners];
-  ScreenVertex screen[ClipPolygon::most_corners];
-  std::uint32_t all = 0xff;
-  for (unsigned i = 0; i < piece.count(); ++i) {
-    // A vertex at the edge of the guard band may survive clipping although its outcode says that it lies outside. It
-    // has no screen position and is projected again.
-    const Link original = piece[i].original;
-    const bool usable = original != no_link && (vertices[original].depth_word & outcode_clip) == 0;
-    number[i] = usable ? original : no_link;
-    screen[i] = usable ? vertices[original] : clip.projection->clipped(piece[i].point);
-    all &= screen[i].depth_word;
-  }
-  if (all != 0) {
-    ++counts.outside;
-    return;
-  }
-  bool back = false, front = false;
-  for (unsigned i = 1; i + 1 < piece.count(); ++i) {
-    std::uint32_t culled = 0;
-    std::int32_t band;
-    const bool drawn = take<true>(cull_, screen[0], screen[i], screen[i + 1], band, culled);
-    (culled != 0 ? back : front) = true;
-    if (!drawn) continue;
-    for (const unsigned j : {0u, i, i + 1}) {
-      if (number[j] != no_link) continue;
-      if (store.count >= store.vertices.size()) {
-        ++store.wanted_vertices;
-        continue;
-      }
-      number[j] = store.count++;
-      store.vertices[number[j]] = screen[j];
-      if (!store.shades.empty()) store.shades[number[j]] = piece[j].shade;
-      if (!store.textures.empty())
-        store.textures[number[j]] =
-            clip.textures.make(*clip.textures.nearness, piece[j].point.z, piece[j].s, piece[j].t);
-      if (!store.thirds.empty()) store.thirds[number[j]] = piece[j].r;
-    }
-    if (number[0] != no_link && number[i] != no_link && number[i + 1] != no_link)
-      append_fan(band, {{number[0], number[i], number[i + 1]}, triangle, polygon});
-  }
-  if (back && !front) ++counts.back;
+/// Takes triangle `i` of a polygon's fan, counted from 1, which needs no clipping.
+void PolygonAssembly::take_fan_triangle(const Outline& outline, unsigned i, Link triangle, Link polygon) {
+  std::int32_t band;
+  if (take_outside(outline[0], outline[i], outline[i + 1], band, counts.back))
+    append_fan(band, {{outline.number(0), outline.number(i), outline.number(i + 1)}, triangle, polygon});
 }
 
 void PolygonAssembly::run(const Mesh& mesh, const ScreenVertex* vertices, bool scissored, const ClipContext& clip,

@@ -27,7 +27,7 @@ struct ActiveTriangle {
   std::int32_t row;              ///< current row, biased
   std::int32_t rows_to_knee;     ///< rows left until the third edge, or an outline's next one, replaces one of the two
   std::int32_t rows_after_knee;  ///< rows left after those
-  enum class Size : std::uint8_t { small, medium, large };
+  enum class Size : std::uint8_t { small = 0, medium, large };
 
   /// Flags in one word, so that set-up writes them with one store.
   class Flags {
@@ -38,6 +38,8 @@ struct ActiveTriangle {
                 (clipped ? clipped_bit : 0)) {}
     /// The edges are in `large` for Size::large, otherwise in `fixed`.
     [[nodiscard]] Size size() const { return static_cast<Size>(bits_ & size_mask); }
+    /// Whether this is a triangle of the small class.
+    [[nodiscard]] bool small_triangle() const { return (bits_ & (size_mask | outline_bit)) == 0; }
     /// Whether the third edge is the right one.
     [[nodiscard]] bool third_on_right() const { return (bits_ & third_on_right_bit) != 0; }
     /// Whether runs must be cut to the viewport's columns.
@@ -48,13 +50,11 @@ struct ActiveTriangle {
     /// Whether this is a polygon of any number of corners. It has no third edge: where one of its edges ends, both are
     /// placed anew (raster/outline_setup.hpp).
     [[nodiscard]] bool outline() const { return (bits_ & outline_bit) != 0; }
-    /// Whether an outline's corners are clockwise on screen.
-    [[nodiscard]] bool clockwise() const { return (bits_ & clockwise_bit) != 0; }
-    void set_outline(bool clockwise) { bits_ |= outline_bit | (clockwise ? clockwise_bit : 0); }
+    void set_outline() { bits_ |= outline_bit; }
 
    private:
     static constexpr std::uint32_t size_mask = 3, third_on_right_bit = 4, clipped_bit = 8, past_knee_bit = 16,
-                                   outline_bit = 32, clockwise_bit = 64;
+                                   outline_bit = 32;
     std::uint32_t bits_;
   } flags;
 
@@ -91,6 +91,11 @@ struct ActiveTriangle {
     depth.skip_rows(before + after);
   }
   [[nodiscard]] std::int32_t end_row() const { return row + rows_to_knee + rows_after_knee; }
+  /// A function of the whole screen, from column 0 of row 0, as one from the column of origin of the current row.
+  [[nodiscard]] LinearFunction moved_here(LinearFunction function) const {
+    function.at_origin += function.dx * word(origin) + function.dy * word(row - row_bias);
+    return function;
+  }
 };
 
 }  // namespace spanline

@@ -12,8 +12,9 @@
 
 namespace spanline {
 
-/// Computes linear functions of attributes for a triangle that has just been set up, with the set-up of small triangles
-/// where size and slope allow it and the wide set-up otherwise. Only `set_up` makes objects of this class.
+/// Computes linear functions of attributes for a triangle that has just been set up, or for the reference triangle of an
+/// outline, with the set-up of small triangles where size and slope allow it and the wide set-up otherwise. Only
+/// `set_up` and `set_up_outline` make objects of this class.
 class AttributeGradients {
  public:
   AttributeGradients(const Triangle& t, std::int64_t area, const ActiveTriangle& active,
@@ -39,12 +40,12 @@ class AttributeGradients {
   template <class ValueOf>
   void fit(ValueOf value_of, LinearFunction& function) const {
     const std::int32_t a = value_of(t_.a), b = value_of(t_.b), c = value_of(t_.c);
-    if (active_.flags.size() == ActiveTriangle::Size::small &&
+    if (active_.flags.small_triangle() &&
         fit_small_attribute(t_, static_cast<std::int32_t>(area_), a, b, c, 16 * active_.row + 8 - t_.ay, function))
       return;
     fit_wide(a, b, c, function);
   }
-  /// As `fit`, for a triangle that is not small or whose slope is too steep for the small set-up.
+  /// As `fit`, for an outline, or a triangle that is not small or whose slope is too steep for the small set-up.
   void fit_wide(std::int32_t a, std::int32_t b, std::int32_t c, LinearFunction& function) const;
 
  private:

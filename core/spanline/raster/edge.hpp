@@ -53,6 +53,13 @@ struct Edge {
     return edge;
   }
 
+  /// The edge from `upper` down to `lower`, with `x` a column of the picture. `row` is biased.
+  [[nodiscard]] static Edge between(const ScreenVertex& upper, const ScreenVertex& lower, std::int32_t row) {
+    Edge edge = at_row(upper.x, upper.y, lower.x, lower.y, row);
+    edge.x -= row_bias;
+    return edge;
+  }
+
   void next_row() {
     x += step;
     error += remainder;

@@ -3,6 +3,12 @@
 
 namespace spanline {
 
+/// An edge on a row, as a fixed-point column counted from a column of origin.
+struct FixedEdge {
+  std::uint32_t column;
+  std::uint32_t step;  ///< slope, columns a row
+};
+
 /// Edges of a triangle as fixed-point columns, counted from the triangle's column of origin. A step to the next row is
 /// one addition for each edge. Columns of small triangles have 26 fraction bits (a range of 64 pixels), those of medium
 /// ones 24 (256 pixels).

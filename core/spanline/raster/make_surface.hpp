@@ -1,7 +1,15 @@
 #pragma once
+#include "spanline/raster/fan_diagonals.hpp"
 #include "spanline/raster/polygon_corners.hpp"
 
 namespace spanline {
+
+/// A shader that tells the triangles of an outline's fan apart. `divide(surface, diagonals, left, row)` follows `make`
+/// for an outline; the surface is stepped from row to row like one that interpolates.
+template <class Shader>
+concept DividesOutlines = requires(typename Shader::Surface& surface, const FanDiagonals& diagonals) {
+  Shader::divide(surface, diagonals, 0, 0);
+};
 
 /// Makes a shader's surface for a polygon. The shader's `make` takes the polygon, its gradients, or both.
 template <class Shader, class Group, class Gradients>

@@ -28,48 +28,59 @@ inline constexpr int fraction_bits = 24;
   return first + (((rest >> 6) * inverse) >> (25 - shift));
 }
 
+/// Whether an edge is steep enough for this class.
+[[nodiscard]] inline bool steep(std::int32_t dx, std::int32_t dy) {
+  return dy == 0 || signed_word(magnitude(dx)) < flattest * signed_word(magnitude(dy));
+}
 /// Whether the triangle is in this class, by its extent and the slopes of its edges.
 [[nodiscard]] inline bool fits(const Triangle& t) {
   const std::int32_t low = std::min<std::int32_t>(0, std::min(t.dx1, t.dx2)),
                      high = std::max<std::int32_t>(0, std::max(t.dx1, t.dx2));
   if (high - low > max_width || std::max(t.dy1, t.dy2) > max_height) return false;
-  const auto steep = [](std::int32_t dx, std::int32_t dy) {
-    return dy == 0 || signed_word(magnitude(dx)) < flattest * signed_word(magnitude(dy));
-  };
   return steep(t.dx1, t.dy1) && steep(t.dx2, t.dy2) && steep(t.dx2 - t.dx1, t.dy2 - t.dy1);
 }
 
 /// The column of origin of a medium triangle, biased: one column to the left of its leftmost pixel.
+[[nodiscard]] inline std::int32_t origin_of(std::int32_t leftmost_x) { return row_at(leftmost_x) - 1; }
 [[nodiscard]] inline std::int32_t origin_of(const Triangle& t) {
-  return row_at(t.ax + std::min<std::int32_t>(0, std::min(t.dx1, t.dx2))) - 1;
+  return origin_of(t.ax + std::min<std::int32_t>(0, std::min(t.dx1, t.dx2)));
 }
 
-/// Sets up the edges of a triangle that fits, with the column of origin `origin`. `row_offset` and `third_offset` are
-/// as for small triangles.
+/// The column of a point that lies `from_origin` sixteenths of a pixel to the right of the column of origin.
 ///
 /// On a row, an edge is a multiple of 1/(16·dy) pixel away from a pixel centre, which is 0 or at least 512 units. Slope
 /// and start are at most 140 units too low over 128 rows. The start is lowered by 256 units, so that the integer part
 /// is always that of the exact edge (tested).
+[[nodiscard, gnu::always_inline]] inline std::uint32_t start_of_edge(std::int32_t from_origin) {
+  return (word(from_origin + 8) << 20) - 256;
+}
+/// The edge that goes `dx` to the right over `dy` rows from `start`, on the row whose centre lies `offset` below there;
+/// all in sixteenths of a pixel, dy > 0.
+[[nodiscard, gnu::always_inline]] inline FixedEdge edge_from(std::uint32_t start, std::int32_t dx, std::int32_t dy,
+                                                             std::int32_t offset) {
+  const std::int32_t step = slope(dx, dy);
+  return {start + word(offset * (step >> 4) + ((offset * (step & 15)) >> 4)), word(step)};
+}
+
+/// Sets up the edges of a triangle that fits, with the column of origin `origin`. `row_offset` and `third_offset` are
+/// as for small triangles.
 inline void set_edges(const Triangle& t, const ThirdEdge& third, std::int32_t origin, std::int32_t row_offset,
                       std::int32_t third_offset, FixedEdges& edges) {
-  const std::uint32_t start = (word(t.ax - 16 * origin + 8) << 20) - 256;
-  const auto moved_down = [](std::int32_t offset, std::int32_t step) {
-    return word(offset * (step >> 4) + ((offset * (step & 15)) >> 4));
-  };
+  const std::uint32_t start = start_of_edge(t.ax - 16 * origin);
   if (t.dy2 != 0) {
-    const std::int32_t step = slope(t.dx2, t.dy2);
-    edges.left = start + moved_down(row_offset, step);
-    edges.left_step = word(step);
+    const FixedEdge left = edge_from(start, t.dx2, t.dy2, row_offset);
+    edges.left = left.column;
+    edges.left_step = left.step;
   }
   if (t.dy1 != 0) {
-    const std::int32_t step = slope(t.dx1, t.dy1);
-    edges.right = start + moved_down(row_offset, step);
-    edges.right_step = word(step);
+    const FixedEdge right = edge_from(start, t.dx1, t.dy1, row_offset);
+    edges.right = right.column;
+    edges.right_step = right.step;
   }
   if (third.dy == 0) return;
-  const std::int32_t step = slope(third.dx, third.dy);
-  edges.third = start + (word(third.x) << 20) + moved_down(third_offset, step);
-  edges.third_step = word(step);
+  const FixedEdge replacing = edge_from(start + (word(third.x) << 20), third.dx, third.dy, third_offset);
+  edges.third = replacing.column;
+  edges.third_step = replacing.step;
 }
 
 }  // namespace medium_triangle

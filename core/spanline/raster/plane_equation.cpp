@@ -7,7 +7,7 @@ PlaneEquation::PlaneEquation(const ScreenVertex* p, const ScreenVertex* q, const
     : triangle_(Triangle::from(p, q, r)), first_vertex_(first_vertex), viewport_(viewport) {
   std::int32_t narrow = 0;
   small_ = !leaves_viewport(triangle_) && is_small(triangle_, narrow);
-  area_ = triangle_.wide_doubled_area();
+  area_ = small_ ? narrow : triangle_.wide_doubled_area();
   if (area_ < 0) {
     triangle_.flip();
     area_ = -area_;

@@ -50,10 +50,14 @@ class PlaneEquation {
   /// `first_vertex` is the first vertex of the corners' group.
   PlaneEquation(const ScreenVertex* p, const ScreenVertex* q, const ScreenVertex* r, const ScreenVertex* first_vertex,
                 Viewport viewport);
+  /// For a polygon that extends beyond this triangle: its plane is fitted by the wide set-up.
+  void extend() { small_ = false; }
 
   /// Twice the area in square sixteenths of a pixel. If it is 0, the triangle has no plane, and the functions below
   /// must not be called.
   [[nodiscard]] std::int64_t doubled_area() const { return area_; }
+  /// The triangle, clockwise.
+  [[nodiscard]] const Triangle& triangle() const { return triangle_; }
 
   /// The plane words of depth, in the sense of the depth format.
   template <class Depth>
@@ -88,12 +92,13 @@ class PlaneEquation {
   void fit(ValueOf value_of, LinearFunction& function) const {
     function = attribute(value_of(triangle_.a), value_of(triangle_.b), value_of(triangle_.c));
   }
+  /// The same through values of the corners of `triangle()`.
+  [[nodiscard]] LinearFunction attribute(std::int32_t a, std::int32_t b, std::int32_t c) const;
 
  private:
   [[nodiscard]] std::int32_t small_area() const { return static_cast<std::int32_t>(area_); }
   [[nodiscard]] std::int32_t row_offset() const { return 16 * row_at(triangle_.ay) + 8 - triangle_.ay; }
   [[nodiscard]] LinearFunction moved_from_small_origin(LinearFunction function) const;
-  [[nodiscard]] LinearFunction attribute(std::int32_t a, std::int32_t b, std::int32_t c) const;
   [[nodiscard]] LinearFunction wide(std::int32_t a, std::int32_t b, std::int32_t c, int bits) const;
 
   Triangle triangle_;

@@ -4,10 +4,11 @@
 
 namespace spanline {
 
-/// The corners and numbers of a polygon of the polygon table.
+/// The corners and numbers of an entry of the polygon table: of a triangle, or of the reference triangle of an outline,
+/// which gives the plane and the surface.
 struct PolygonCorners {
   const ScreenVertex* corner[3];
-  Link triangle;  ///< triangle number within the group
+  Link triangle;  ///< triangle number within the group; of an outline, that of its first triangle
   Link polygon;   ///< polygon number within the mesh
 };
 

@@ -6,6 +6,9 @@
 
 #include "spanline/raster/half_plane.hpp"
 #include "spanline/raster/link.hpp"
+#include "spanline/raster/fan_records.hpp"
+#include "spanline/raster/outline.hpp"
+#include "spanline/raster/outline_header.hpp"
 #include "spanline/raster/polygon_corners.hpp"
 #include "spanline/raster/row_columns.hpp"
 #include "spanline/raster/screen_vertex.hpp"
@@ -13,21 +16,13 @@
 
 namespace spanline {
 
-/// Set in PolygonReference::source if the low bits are the number of a FanTriangle.
+/// Set in PolygonReference::source if the low bits are the number of a record in the pool of fans.
 inline constexpr Link fan_flag = static_cast<Link>(Link{1} << (std::numeric_limits<Link>::digits - 1));
 
 /// One polygon of the polygon table, in order of submission.
 struct PolygonReference {
   Link next;    ///< next polygon of the same bucket, in order of submission; the last links to the first
-  Link source;  ///< triangle number within its group, or fan_flag | number of its FanTriangle
-};
-
-/// A triangle whose corners are not in the mesh's indices: a piece of a clipped triangle, or of the fan of a larger
-/// polygon.
-struct FanTriangle {
-  Link corner[3];  ///< vertex numbers within the group
-  Link triangle;   ///< triangle number within the group, which gives its normal, colour and id
-  Link polygon;    ///< polygon number within the mesh, which gives its normal and colour
+  Link source;  ///< triangle number within its group, or fan_flag | number of its first record
 };
 
 /// Polygons that share a vertex array: an instance of a mesh, or triangles given in screen coordinates.
@@ -53,7 +48,7 @@ struct PolygonCuts {
 class PolygonTable {
  public:
   std::span<PolygonReference> references;
-  std::span<FanTriangle> fans;
+  FanRecords fans;
   std::span<PolygonGroup> groups;
   std::span<Link> buckets;  ///< for each band the last polygon that starts there; its `next` is the first
   /// Fragments, for algorithms that draw polygons in parts. All three are empty for other algorithms, which do not read
@@ -62,11 +57,11 @@ class PolygonTable {
   std::span<const Link> cuts;        ///< index in `half_planes` · 2, plus 1 for the side where the value is negative
   std::span<const HalfPlane> half_planes;  ///< lines that several fragments share
   Link polygon_count = 0;                  ///< entries of `references` in use
-  Link fan_count = 0;                      ///< entries of `fans` in use
   Link group_count = 0;                    ///< entries of `groups` in use
 
   void clear() {
-    polygon_count = fan_count = group_count = 0;
+    polygon_count = group_count = 0;
+    fans.clear();
     for (Link& bucket : buckets) bucket = no_link;
   }
 
@@ -131,7 +126,7 @@ class PolygonTable {
     const Link source = references[polygon].source;
     const ScreenVertex* v = group.vertices;
     if (source & fan_flag) {
-      const FanTriangle& fan = fans[source & static_cast<Link>(~fan_flag)];
+      const FanTriangle fan = fans.triangle(source & static_cast<Link>(~fan_flag));
       return {{v + fan.corner[0], v + fan.corner[1], v + fan.corner[2]}, fan.triangle, fan.polygon};
     }
     if (group.indices == nullptr) {
@@ -141,6 +136,28 @@ class PolygonTable {
     const std::uint16_t* index = group.indices + std::size_t{3} * source;
     return {{v + index[0], v + index[2], v + index[1]}, source, source};
   }
+
+  /// Whether an entry is an outline; else it is a triangle.
+  [[nodiscard]] bool is_outline(Link polygon) const {
+    const Link source = references[polygon].source;
+    return (source & fan_flag) != 0 && fans.is_outline(source & static_cast<Link>(~fan_flag));
+  }
+  /// An entry that is an outline.
+  [[nodiscard]] PlacedOutline outline(const PolygonGroup& group, Link polygon) const {
+    return fans.outline(group.vertices, references[polygon].source & static_cast<Link>(~fan_flag));
+  }
+};
+
+/// An entry of the polygon table whose corners are looked up when they are needed.
+struct PolygonEntry {
+  const PolygonTable& table;
+  const PolygonGroup& group;
+  Link polygon;
+
+  /// The corners of a triangle, or of an outline's reference triangle.
+  [[nodiscard]] PolygonCorners corners() const { return table.corners(group, polygon); }
+  [[nodiscard]] bool is_outline() const { return table.is_outline(polygon); }
+  [[nodiscard]] PlacedOutline outline() const { return table.outline(group, polygon); }
 };
 
 /// The rows [first, end), not biased, whose centres lie between a polygon's highest and lowest corner. They may lie
@@ -148,7 +165,12 @@ class PolygonTable {
 struct RowRange {
   std::int32_t first, end;
 };
-[[nodiscard]] inline RowRange row_range(const PolygonCorners& polygon) {
+[[nodiscard]] inline RowRange row_range(const PolygonEntry& entry) {
+  if (entry.is_outline()) {
+    const PlacedOutline outline = entry.outline();
+    return {row_at(outline.corners[outline.header.top()].y) - row_bias, outline.end_row - row_bias};
+  }
+  const PolygonCorners polygon = entry.corners();
   const auto [a, b, c] = polygon.corner;
   const auto [low, high] = std::minmax({a->y, b->y, c->y});
   return {row_at(low) - row_bias, row_at(high) - row_bias};

@@ -4,7 +4,9 @@
 
 #include "spanline/raster/active_triangle.hpp"
 #include "spanline/raster/medium_triangle.hpp"
+#include "spanline/raster/outline_setup.hpp"
 #include "spanline/raster/polygon_corners.hpp"
+#include "spanline/raster/polygon_table.hpp"
 #include "spanline/raster/row_columns.hpp"
 #include "spanline/raster/small_triangle.hpp"
 #include "spanline/raster/triangle_setup.hpp"
@@ -21,10 +23,15 @@ inline void put_third_edge(ActiveTriangle& triangle, const PolygonCorners& corne
 }
 
 /// Steps the edges and counts of rows of a triangle to its next row. Written for clarity, not for speed. Output: the
-/// columns of the row before the step. `corners_of` returns the triangle's corners and is called only at its knee.
-template <class CornersOf>
-RowColumns step_row(ActiveTriangle& triangle, CornersOf corners_of) {
-  if (triangle.rows_to_knee == 0 && !triangle.flags.past_knee()) put_third_edge(triangle, corners_of());
+/// columns of the row before the step. `entry_of` returns the polygon's PolygonEntry; it is called where an edge ends.
+template <class EntryOf>
+RowColumns step_row(ActiveTriangle& triangle, EntryOf entry_of) {
+  if (triangle.rows_to_knee == 0) {
+    if (triangle.flags.outline())
+      place_outline_edges(entry_of().outline(), triangle);
+    else if (!triangle.flags.past_knee())
+      put_third_edge(triangle, entry_of().corners());
+  }
   RowColumns columns;
   if (triangle.flags.size() == ActiveTriangle::Size::large) {
     columns = {triangle.large.left.x, triangle.large.right.x};
@@ -41,11 +48,19 @@ RowColumns step_row(ActiveTriangle& triangle, CornersOf corners_of) {
 }
 
 /// Steps an active triangle and its surface over the rows above `end_row` (biased), with exactly the words that drawing
-/// these rows would leave. False if the triangle ends above `end_row`. `corners_of` returns the triangle's corners and
-/// is called only at its knee.
-template <class Surface, class CornersOf>
-[[nodiscard]] bool skip_rows(ActiveTriangle& triangle, Surface& surface, std::int32_t end_row, CornersOf corners_of) {
+/// these rows would leave. False if the triangle ends above `end_row`. `entry_of` is as for `step_row`.
+template <class Surface, class EntryOf>
+[[nodiscard]] bool skip_rows(ActiveTriangle& triangle, Surface& surface, std::int32_t end_row, EntryOf entry_of) {
   if (triangle.end_row() <= end_row) return false;
+  if (triangle.flags.outline()) {
+    const std::int32_t rows = end_row - triangle.row;
+    triangle.rows_after_knee = triangle.end_row() - end_row;
+    triangle.row = end_row;
+    place_outline_edges(entry_of().outline(), triangle);
+    triangle.depth.skip_rows(rows);
+    surface.skip_rows(rows);
+    return true;
+  }
   const std::int32_t rows = end_row - triangle.row;
   const std::int32_t before = std::min(triangle.rows_to_knee, rows), after = rows - before;
   if (triangle.flags.size() != ActiveTriangle::Size::large) {
@@ -54,7 +69,7 @@ template <class Surface, class CornersOf>
     triangle.large.skip_rows(before);
     if (after > 0) {
       triangle.row += before;  // first row of the third edge
-      if (!triangle.flags.past_knee()) put_third_edge(triangle, corners_of());
+      if (!triangle.flags.past_knee()) put_third_edge(triangle, entry_of().corners());
       triangle.large.skip_rows(after);
     }
     triangle.depth.skip_rows(rows);

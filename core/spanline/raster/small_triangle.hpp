@@ -25,8 +25,9 @@ inline constexpr std::int32_t margin = 11;
   return word(t.dx1 + reach) <= 2 * reach && word(t.dx2 + reach) <= 2 * reach && word(t.dy1 | t.dy2) <= max_height;
 }
 
-/// The screen column where the columns of edges and functions are 0.
-[[nodiscard]] inline std::int32_t origin_of(const Triangle& t) { return (t.ax >> 4) - row_bias - margin; }
+/// The screen column where the columns of edges and functions are 0, for a topmost vertex at the biased `top_x`.
+[[nodiscard]] inline std::int32_t origin_of(std::int32_t top_x) { return (top_x >> 4) - row_bias - margin; }
+[[nodiscard]] inline std::int32_t origin_of(const Triangle& t) { return origin_of(t.ax); }
 
 /// round(2^26 / d), for slopes without division.
 inline constexpr std::array<std::uint32_t, max_height + 1> reciprocal_q26 = [] {
@@ -101,28 +102,37 @@ class Gradients {
   std::int32_t inverse_;  ///< 2^31 / (area · 2^shift_), in [32768, 65536]
 };
 
-/// Sets up the two edges from the top vertex and the third edge of a triangle that `fits`. `row_offset` is the distance
-/// from a down to the centre of the first row, `third_offset` that from the start of the third edge down to the centre
-/// of its first row, both in sixteenths of a pixel.
+/// The column of a point that lies `from_origin` sixteenths of a pixel to the right of the column of origin.
 ///
 /// On a row, an edge is a multiple of 1/(16·dy) pixel away from a pixel centre, which is 0 or at least 2^-12. Slope and
 /// start together are within 2^-13.4 over 16 rows. The start is lowered by 2^-13, so that the integer part is always
 /// that of the exact edge (tested).
+[[nodiscard, gnu::always_inline]] inline std::uint32_t start_of_edge(std::int32_t from_origin) {
+  return (word(from_origin) << 22) + (8u << 22) - (1u << 13);
+}
+/// The edge that goes `dx` to the right over `dy` rows from `start`, on the row whose centre lies `offset` below there;
+/// all in sixteenths of a pixel.
+[[nodiscard, gnu::always_inline]] inline FixedEdge edge_from(std::uint32_t start, std::int32_t dx, std::int32_t dy,
+                                                             std::int32_t offset) {
+  const std::uint32_t inverse = reciprocal_q26[word(dy)];
+  return {start + word(offset * dx) * (inverse >> 4), word(dx) * inverse};  // offset/16 rows of slope dx·2^26/dy
+}
+
+/// Sets up the two edges from the top vertex and the third edge of a triangle that `fits`. `row_offset` is the distance
+/// from a down to the centre of the first row, `third_offset` that from the start of the third edge down to the centre
+/// of its first row, both in sixteenths of a pixel.
 [[gnu::always_inline]] inline void set_edges(const Triangle& t, const ThirdEdge& third, std::int32_t row_offset,
                                              std::int32_t third_offset, FixedEdges& edges) {
-  const std::uint32_t start = (word(t.ax & 15) << 22) + ((margin * 16 + 8u) << 22) - (1u << 13);
-  const auto moved_down = [](std::int32_t dx, std::int32_t offset, std::uint32_t inverse) {
-    return word(offset * dx) * (inverse >> 4);  // offset/16 rows of slope dx·2^26/dy
-  };
-  const std::uint32_t inverse2 = reciprocal_q26[word(t.dy2)];
-  edges.left_step = word(t.dx2) * inverse2;
-  edges.left = start + moved_down(t.dx2, row_offset, inverse2);
-  const std::uint32_t inverse1 = reciprocal_q26[word(t.dy1)];
-  edges.right_step = word(t.dx1) * inverse1;
-  edges.right = start + moved_down(t.dx1, row_offset, inverse1);
-  const std::uint32_t inverse3 = reciprocal_q26[word(third.dy)];
-  edges.third_step = word(third.dx) * inverse3;
-  edges.third = start + (word(third.x) << 22) + moved_down(third.dx, third_offset, inverse3);
+  const std::uint32_t start = start_of_edge((t.ax & 15) + 16 * margin);
+  const FixedEdge left = edge_from(start, t.dx2, t.dy2, row_offset);
+  edges.left_step = left.step;
+  edges.left = left.column;
+  const FixedEdge right = edge_from(start, t.dx1, t.dy1, row_offset);
+  edges.right_step = right.step;
+  edges.right = right.column;
+  const FixedEdge replacing = edge_from(start + (word(third.x) << 22), third.dx, third.dy, third_offset);
+  edges.third_step = replacing.step;
+  edges.third = replacing.column;
 }
 
 }  // namespace small_triangle

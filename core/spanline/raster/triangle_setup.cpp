@@ -2,6 +2,7 @@
 
 #include "spanline/raster/attribute_gradients.hpp"
 #include "spanline/raster/polygon_corners.hpp"
+#include "spanline/raster/polygon_table.hpp"
 
 namespace spanline {
 namespace {
@@ -16,15 +17,14 @@ LinearFunction fit_depth(const Triangle& t, std::int64_t area, Viewport viewport
   return depth_bits == 16 ? depth_function<Depth16<>>(gradients, t, row) : depth_function<Depth24<>>(gradients, t, row);
 }
 
-Edge edge_between(const ScreenVertex& from, const ScreenVertex& to, std::int32_t row) {
-  Edge edge = Edge::at_row(from.x, from.y, to.x, to.y, row);
-  edge.x -= row_bias;
-  return edge;
-}
-
 }  // namespace
 
 void AttributeGradients::fit_wide(std::int32_t a, std::int32_t b, std::int32_t c, LinearFunction& function) const {
+  if (active_.flags.outline() && active_.flags.size() == ActiveTriangle::Size::small) {
+    const PlaneEquation plane(t_.a, t_.b, t_.c, first_vertex_, viewport_);
+    function = active_.moved_here(plane.attribute(a, b, c));
+    return;
+  }
   fit_fine({a, b, c}, 16, function);
 }
 
@@ -36,6 +36,15 @@ void AttributeGradients::fit_fine(const std::array<std::int32_t, 3>& values, int
 void fit_wide_depth(const Triangle& t, std::int64_t area, Viewport viewport, int depth_bits, ActiveTriangle& active) {
   active.depth = fit_depth(t, area, viewport, depth_bits, active.row);
   active.depth.at_origin += active.depth.dx * word(active.origin);
+}
+
+void fit_wide_outline_depth(Triangle t, Viewport viewport, int depth_bits, ActiveTriangle& active) {
+  std::int64_t area = t.wide_doubled_area();
+  if (area < 0) {
+    t.flip();
+    area = -area;
+  }
+  fit_wide_depth(t, area, viewport, depth_bits, active);
 }
 
 bool set_up_large(Triangle& t, bool scissored, Viewport viewport, int depth_bits, ActiveTriangle& active,
@@ -68,12 +77,12 @@ bool set_up_large(Triangle& t, bool scissored, Viewport viewport, int depth_bits
   }
   active.large = {};
   if (active.rows_to_knee != 0) {
-    active.large.left = edge_between(*t.a, *t.c, first);
-    active.large.right = edge_between(*t.a, *t.b, first);
+    active.large.left = Edge::between(*t.a, *t.c, first);
+    active.large.right = Edge::between(*t.a, *t.b, first);
   } else if (third.on_right) {
-    active.large.left = edge_between(*t.a, *t.c, first);
+    active.large.left = Edge::between(*t.a, *t.c, first);
   } else {
-    active.large.right = edge_between(*t.a, *t.b, first);
+    active.large.right = Edge::between(*t.a, *t.b, first);
   }
   active.depth = fit_depth(t, area, viewport, depth_bits, first);
   return true;
@@ -83,9 +92,9 @@ void put_third_large_edge(const PolygonCorners& polygon, ActiveTriangle& active)
   Triangle t = Triangle::from(polygon.corner[0], polygon.corner[1], polygon.corner[2]);
   if (t.wide_doubled_area() < 0) t.flip();
   if (active.flags.third_on_right()) {
-    active.large.right = edge_between(*t.b, *t.c, active.row);
+    active.large.right = Edge::between(*t.b, *t.c, active.row);
   } else {
-    active.large.left = edge_between(*t.c, *t.b, active.row);
+    active.large.left = Edge::between(*t.c, *t.b, active.row);
   }
 }
 

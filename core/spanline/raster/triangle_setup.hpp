@@ -8,6 +8,7 @@
 #include "spanline/raster/gradients.hpp"
 #include "spanline/raster/linear_function.hpp"
 #include "spanline/raster/medium_triangle.hpp"
+#include "spanline/raster/outline_setup.hpp"
 #include "spanline/raster/plane_equation.hpp"
 #include "spanline/raster/polygon_corners.hpp"
 #include "spanline/raster/polygon_table.hpp"
@@ -24,6 +25,9 @@ namespace spanline {
 /// Computes the depth function by the wide set-up, for a small triangle that is too thin or too steep for the small
 /// one.
 void fit_wide_depth(const Triangle& t, std::int64_t area, Viewport viewport, int depth_bits, ActiveTriangle& active);
+
+/// The same for the reference triangle of an outline.
+void fit_wide_outline_depth(Triangle t, Viewport viewport, int depth_bits, ActiveTriangle& active);
 
 /// Replaces the edge of a large triangle that ends at its knee by the third edge, on the current row.
 void put_third_large_edge(const PolygonCorners& polygon, ActiveTriangle& active);
@@ -67,6 +71,57 @@ template <class Depth, class MakeSurface>
     make_surface(AttributeGradients(kept, wide_area, active, group.vertices, viewport));
   }
   if constexpr (!Depth::smaller) active.depth = active.depth.complemented();
+  return true;
+}
+
+/// Computes the depth function of an outline by its reference triangle, for its current row. The words are those of
+/// PlaneEquation.
+template <class Depth>
+[[gnu::always_inline]] inline void fit_outline_depth(const Triangle& t, const Viewport& viewport,
+                                                     ActiveTriangle& active) {
+  std::int32_t area = 0;
+  if (active.flags.size() == ActiveTriangle::Size::small && is_small(t, area)) {
+    Triangle clockwise = t;
+    if (area < 0) {
+      clockwise.flip();
+      area = -area;
+    }
+    const std::int32_t first = row_at(t.ay);
+    LinearFunction depth;
+    if (fit_small_depth<Depth>(clockwise, area, 16 * first + 8 - t.ay, depth)) {
+      depth.at_origin += depth.dx * word(active.origin - small_triangle::origin_of(t)) + depth.dy * word(active.row - first);
+      active.depth = Depth::smaller ? depth : depth.complemented();
+      return;
+    }
+  }
+  fit_wide_outline_depth(t, viewport, Depth::bits, active);
+  if constexpr (!Depth::smaller) active.depth = active.depth.complemented();
+}
+
+/// The attribute gradients of an outline that has been set up, by its reference triangle.
+[[nodiscard]] inline AttributeGradients outline_gradients(Triangle t, const ActiveTriangle& active,
+                                                          const ScreenVertex* first_vertex, const Viewport& viewport) {
+  std::int64_t area = t.wide_doubled_area();
+  if (area < 0) {
+    t.flip();
+    area = -area;
+  }
+  return {t, area, active, first_vertex, viewport};
+}
+
+/// Activates an outline on its first row inside the viewport, as `set_up` does a triangle. Plane and attributes are
+/// those of its reference triangle, whose corners are `corners`. `make_surface` is called with a function that makes the
+/// attribute gradients.
+template <class Depth, class MakeSurface>
+[[nodiscard, gnu::always_inline]] inline bool set_up_outline(const PolygonEntry& entry, const PolygonCorners& corners,
+                                                             const Viewport& viewport, ActiveTriangle& active,
+                                                             MakeSurface make_surface) {
+  const PlacedOutline outline = entry.outline();
+  if (!set_up_outline(outline, viewport, active)) return false;
+  const auto [a, b, c] = corners.corner;
+  Triangle t = Triangle::from(a, b, c);
+  fit_outline_depth<Depth>(t, viewport, active);
+  make_surface([&] { return outline_gradients(t, active, entry.group.vertices, viewport); });
   return true;
 }
 

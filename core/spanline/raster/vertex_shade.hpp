@@ -55,6 +55,25 @@ inline constexpr std::uint32_t lowest_intensity = 64, highest_intensity = 65471;
   return static_cast<std::int32_t>(shade >> 16);
 }
 
+/// How many channels are interpolated, and the 16-bit value of one.
+[[nodiscard]] constexpr unsigned channels(Kind kind) {
+  constexpr unsigned counts[] = {1, 3, 4, 2};
+  return counts[static_cast<unsigned>(kind)];
+}
+[[nodiscard]] constexpr std::int32_t channel_16(Kind kind, std::uint32_t shade, unsigned channel) {
+  switch (kind) {
+    case Kind::intensity:
+      return static_cast<std::int32_t>(shade);
+    case Kind::colour:
+      return channel == 0 ? red_16(shade) : channel == 1 ? green_16(shade) : blue_16(shade);
+    case Kind::colour_and_opacity:
+      return byte_16(shade, channel);
+    case Kind::highlight_and_intensity:
+      return channel == 0 ? highlight_16(shade) : intensity_16(shade);
+  }
+  return 0;
+}
+
 /// from + (to − from)·t; t is Q31 in [0, 1].
 [[nodiscard]] constexpr std::uint32_t mix_word(std::uint32_t from, std::uint32_t to, std::uint32_t t) {
   const std::int64_t difference = static_cast<std::int64_t>(to) - static_cast<std::int64_t>(from);

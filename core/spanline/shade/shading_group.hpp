@@ -54,7 +54,7 @@ struct Layering {
 struct ShadingGroup {
   const Mesh* mesh = nullptr;  ///< null for triangles given in screen coordinates
   union {
-    const std::uint16_t* screen_colours = nullptr;  ///< screen triangles: RGB565, one for each
+    const std::uint16_t* screen_colours = nullptr;  ///< polygons given on screen: RGB565, one for each
     const TexturedGroup* textured;                  ///< meshes: set if the shader needs it
   };
   const std::uint32_t* vertex_shades = nullptr;  ///< Gouraud shading: one for each vertex (gouraud.hpp)

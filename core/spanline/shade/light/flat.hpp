@@ -34,7 +34,7 @@ struct FlatShader {
   };
 
   [[nodiscard]] static Pixel colour_of(const ShadingGroup& group, const PolygonCorners& polygon) {
-    if (group.mesh == nullptr) return Format::from_rgb565(group.screen_colours[polygon.triangle]);
+    if (group.mesh == nullptr) return Format::from_rgb565(group.screen_colours[polygon.polygon]);
     const Mesh& mesh = *group.mesh;
     const LitColour colour =
         mesh.polygon_colours.empty() ? group.colour : LitColour::from(mesh.polygon_colours[polygon.polygon]);

@@ -1,7 +1,10 @@
 #include "spanline/visibility/span/awake_polygon.hpp"
 
+#include <algorithm>
+
 #include "spanline/raster/link.hpp"
 #include "spanline/raster/medium_triangle.hpp"
+#include "spanline/raster/outline_setup.hpp"
 #include "spanline/raster/polygon_corners.hpp"
 
 namespace spanline {
@@ -16,6 +19,8 @@ Rows rows_of(const Triangle& t, const ThirdEdge& third) {
   return {row_at(t.ay), row_at(t.ay + third.y), row_at(t.ay + third.y + third.dy)};
 }
 
+bool third_on_right(const AwakePolygon& polygon) { return polygon.third == AwakePolygon::Third::on_right; }
+
 /// Steps fixed edges from the polygon's first row down to `row`.
 void move_down(FixedEdges& edges, bool third_on_right, const Rows& rows, std::int32_t row) {
   const std::uint32_t down = word(row - rows.first);
@@ -27,26 +32,20 @@ void move_down(FixedEdges& edges, bool third_on_right, const Rows& rows, std::in
   (third_on_right ? edges.right_step : edges.left_step) = edges.third_step;
 }
 
-Edge edge_between(const ScreenVertex& from, const ScreenVertex& to, std::int32_t row) {
-  Edge edge = Edge::at_row(from.x, from.y, to.x, to.y, row);
-  edge.x -= row_bias;
-  return edge;
-}
-
 /// Sets up the third edge of a large polygon on the biased `row`.
 void place_third_edge(AwakePolygon& polygon, const Triangle& t, std::int32_t row) {
-  if (polygon.third_on_right)
-    polygon.large.right = edge_between(*t.b, *t.c, row);
+  if (third_on_right(polygon))
+    polygon.large.right = Edge::between(*t.b, *t.c, row);
   else
-    polygon.large.left = edge_between(*t.c, *t.b, row);
+    polygon.large.left = Edge::between(*t.c, *t.b, row);
 }
 
 void place_large(AwakePolygon& polygon, const Triangle& t, const Rows& rows, std::int32_t row) {
   polygon.fraction_bits = 0;
   polygon.origin = 0;
   const bool past_knee = row >= rows.knee;
-  if (!past_knee || polygon.third_on_right) polygon.large.left = edge_between(*t.a, *t.c, row);
-  if (!past_knee || !polygon.third_on_right) polygon.large.right = edge_between(*t.a, *t.b, row);
+  if (!past_knee || third_on_right(polygon)) polygon.large.left = Edge::between(*t.a, *t.c, row);
+  if (!past_knee || !third_on_right(polygon)) polygon.large.right = Edge::between(*t.a, *t.b, row);
   if (past_knee) place_third_edge(polygon, t, row);
 }
 
@@ -54,7 +53,7 @@ void place_large(AwakePolygon& polygon, const Triangle& t, const Rows& rows, std
   if (t.wide_doubled_area() < 0) t.flip();
   const ThirdEdge third = ThirdEdge::of(t);
   const Rows rows = rows_of(t, third);
-  polygon.third_on_right = third.on_right;
+  polygon.third = third.on_right ? AwakePolygon::Third::on_right : AwakePolygon::Third::on_left;
   if (scissored || !medium_triangle::fits(t)) {
     place_large(polygon, t, rows, row);
     return rows;
@@ -64,8 +63,72 @@ void place_large(AwakePolygon& polygon, const Triangle& t, const Rows& rows, std
   polygon.origin = static_cast<std::int16_t>(origin - row_bias);
   medium_triangle::set_edges(t, third, origin, 16 * rows.first + 8 - t.ay, 16 * rows.knee + 8 - t.ay - third.y,
                              polygon.fixed);
-  move_down(polygon.fixed, polygon.third_on_right, rows, row);
+  move_down(polygon.fixed, third_on_right(polygon), rows, row);
   return rows;
+}
+
+std::uint8_t fraction_bits_of(ActiveTriangle::Size size) {
+  if (size == ActiveTriangle::Size::small) return small_triangle::fraction_bits;
+  return size == ActiveTriangle::Size::medium ? medium_triangle::fraction_bits : 0;
+}
+
+/// Takes over the edges of an outline, up to the row where one of them ends.
+std::int32_t take_edges(AwakePolygon& polygon, const ActiveTriangle& active, std::int32_t width) {
+  polygon.turn_row = static_cast<std::uint16_t>(active.row + active.rows_to_knee - row_bias);
+  if (polygon.fraction_bits == 0) {
+    polygon.large = active.large;
+    return cut_columns(polygon, width);
+  }
+  polygon.fixed = active.fixed;
+  return place_columns(polygon);
+}
+
+/// As `wake`, for an outline. The bounds are those of its corners and the slack of its plane.
+[[gnu::noinline]] std::int32_t wake_outline(AwakePolygon& polygon, const PolygonSource& source, std::int32_t row,
+                                            BoundMargin margin) {
+  const PlacedOutline outline = source.entry(polygon).outline();
+  std::uint32_t low = ~std::uint32_t{0}, high = 0;
+  for (unsigned i = 0; i < outline.corners.count(); ++i) {
+    const std::uint32_t depth = outline.corners[i].depth_word;
+    if (depth < low) low = depth;
+    if (depth > high) high = depth;
+  }
+  const std::uint32_t slack = outline.header.depth_slack(), below = margin.below + slack, above = margin.above + slack;
+  polygon.nearest = low > below ? low - below : 0;
+  polygon.farthest = high < ~above ? high + above : ~std::uint32_t{0};
+
+  ActiveTriangle active;
+  set_up_rows(outline, row + row_bias, std::min(outline.end_row, source.viewport.height + row_bias), active);
+  polygon.third = AwakePolygon::Third::outline;
+  polygon.fraction_bits = fraction_bits_of(outline.header.size());
+  polygon.origin = static_cast<std::int16_t>(active.origin);
+  polygon.end_row = static_cast<std::uint16_t>(active.end_row() - row_bias);
+  return take_edges(polygon, active, source.viewport.width);
+}
+
+// The two functions below are `turn` for what is rarer than small and medium triangles. They end it, so that it needs no
+// registers of its own.
+
+/// Places the next edges of an outline on `row`.
+[[gnu::noinline]] bool turn_outline(AwakePolygon& polygon, const PolygonSource& source, std::int32_t row) {
+  ActiveTriangle active;
+  active.origin = polygon.origin;
+  active.row = row + row_bias;
+  active.rows_to_knee = 0;
+  active.rows_after_knee = polygon.end_row - row;
+  place_outline_edges(source.entry(polygon).outline(), active);
+  static_cast<void>(take_edges(polygon, active, source.viewport.width));
+  return true;
+}
+
+[[gnu::noinline]] bool turn_large(AwakePolygon& polygon, const PolygonSource& source, std::int32_t row) {
+  polygon.large.left.next_row();
+  polygon.large.right.next_row();
+  const PolygonCorners corners = source.corners(polygon);
+  Triangle t = Triangle::from(corners.corner[0], corners.corner[1], corners.corner[2]);
+  if (t.wide_doubled_area() < 0) t.flip();
+  place_third_edge(polygon, t, row + row_bias);
+  return true;
 }
 
 }  // namespace
@@ -74,11 +137,14 @@ std::int32_t wake(AwakePolygon& polygon, const PolygonSource& source, Link numbe
                   BoundMargin margin) {
   const Link group_number = source.table.find_group(number);
   const PolygonGroup& group = source.table.groups[group_number];
-  const auto [p, q, r] = source.table.corners(group, number).corner;
   polygon.number = number;
   polygon.group = group_number;
   polygon.has_plane = polygon.has_surface = false;
   polygon.retry_row = 0;
+  if (source.table.is_outline(number)) [[unlikely]]
+    return wake_outline(polygon, source, row, margin);
+  const PolygonCorners corners = source.table.corners(group, number);
+  const auto [p, q, r] = corners.corner;
   const std::uint32_t depth_p = p->depth_word, depth_q = q->depth_word, depth_r = r->depth_word;
   const std::uint32_t nearest = depth_p < depth_q ? depth_p : depth_q, farthest = depth_p < depth_q ? depth_q : depth_p;
   // The outcodes in the low bits do no harm, since the margins are larger than a whole depth unit.
@@ -95,12 +161,12 @@ std::int32_t wake(AwakePolygon& polygon, const PolygonSource& source, Link numbe
     if (area < 0) t.flip();
     const ThirdEdge third = ThirdEdge::of(t);
     rows = rows_of(t, third);
-    polygon.third_on_right = third.on_right;
+    polygon.third = third.on_right ? AwakePolygon::Third::on_right : AwakePolygon::Third::on_left;
     polygon.fraction_bits = small_triangle::fraction_bits;
     polygon.origin = static_cast<std::int16_t>(small_triangle::origin_of(t));
     small_triangle::set_edges(t, third, 16 * rows.first + 8 - t.ay, 16 * rows.knee + 8 - t.ay - third.y, polygon.fixed);
     if (biased_row != rows.first || rows.first == rows.knee)
-      move_down(polygon.fixed, polygon.third_on_right, rows, biased_row);
+      move_down(polygon.fixed, third_on_right(polygon), rows, biased_row);
   } else {
     Triangle kept = t;  // a copy, so that `t` itself stays in registers for small triangles
     rows = place_wide(polygon, kept, scissored, biased_row);
@@ -114,20 +180,13 @@ std::int32_t wake(AwakePolygon& polygon, const PolygonSource& source, Link numbe
 
 bool turn(AwakePolygon& polygon, const PolygonSource& source, std::int32_t row) {
   if (row >= polygon.end_row) return false;
+  if (polygon.is_outline()) return turn_outline(polygon, source, row);
   polygon.turn_row = polygon.end_row;
-  if (polygon.fraction_bits != 0) {
-    FixedEdges& edges = polygon.fixed;
-    edges.left += edges.left_step;
-    edges.right += edges.right_step;
-    edges.put_third(polygon.third_on_right);
-    return true;
-  }
-  polygon.large.left.next_row();
-  polygon.large.right.next_row();
-  const PolygonCorners corners = source.corners(polygon);
-  Triangle t = Triangle::from(corners.corner[0], corners.corner[1], corners.corner[2]);
-  if (t.wide_doubled_area() < 0) t.flip();
-  place_third_edge(polygon, t, row + row_bias);
+  if (polygon.fraction_bits == 0) return turn_large(polygon, source, row);
+  FixedEdges& edges = polygon.fixed;
+  edges.left += edges.left_step;
+  edges.right += edges.right_step;
+  edges.put_third(third_on_right(polygon));
   return true;
 }
 

@@ -6,6 +6,7 @@
 #include "spanline/raster/plane_equation.hpp"
 #include "spanline/raster/polygon_corners.hpp"
 #include "spanline/raster/polygon_table.hpp"
+#include "spanline/visibility/screen_surface.hpp"
 
 namespace spanline {
 
@@ -19,17 +20,18 @@ namespace spanline {
 /// Members are ordered for Thumb-1, whose load instructions reach offsets of 31 bytes, half-words or words.
 struct AwakePolygon {
   std::uint8_t fraction_bits;  ///< of the columns in `fixed`; 0 if the edges are in `large`
-  bool third_on_right;         ///< whether the third edge is the right one
-  bool has_plane;              ///< whether `plane` has been computed
-  bool has_surface;            ///< whether the surface that follows the record has been made
-  std::int16_t origin;         ///< screen column where the columns of `fixed` are 0
-  std::uint16_t right;         ///< column after the polygon's last on the current row, cut to the viewport
-  std::uint16_t turn_row;      ///< row where the third edge replaces another, or where the polygon ends
-  std::uint16_t end_row;       ///< the first row below the polygon, or the viewport's height
-  std::uint16_t retry_row;     ///< the polygon does not try to sleep before this row
-  std::uint16_t surface_row;   ///< row for which the surface was last stepped
-  Link number;                 ///< in the polygon table; of equally near polygons the lower number is in front
-  Link group;                  ///< number of the polygon's group in the table
+  /// Which edge the third one replaces; an outline has none, and finds its next edges in the polygon table.
+  enum class Third : std::uint8_t { on_left = 0, on_right = 1, outline = 2 } third;
+  bool has_plane;             ///< whether `plane` has been computed
+  bool has_surface;           ///< whether the surface that follows the record has been made
+  std::int16_t origin;        ///< screen column where the columns of `fixed` are 0
+  std::uint16_t right;        ///< column after the polygon's last on the current row, cut to the viewport
+  std::uint16_t turn_row;     ///< row where the next edge replaces another, or where the polygon ends
+  std::uint16_t end_row;      ///< the first row below the polygon, or the viewport's height
+  std::uint16_t retry_row;    ///< the polygon does not try to sleep before this row
+  std::uint16_t surface_row;  ///< row for which the surface was last stepped
+  Link number;                ///< in the polygon table; of equally near polygons the lower number is in front
+  Link group;                 ///< number of the polygon's group in the table
   union {
     FixedEdges fixed;
     LargeEdges large;
@@ -38,6 +40,7 @@ struct AwakePolygon {
   AwakePolygon* next;               ///< the next in the in-polygon list or in the list of free records
   LinearFunction plane;             ///< plane word of depth, smaller is nearer, from column 0 of row 0
 
+  [[nodiscard]] bool is_outline() const { return third == Third::outline; }
   [[nodiscard]] std::uint32_t depth_at(std::int32_t column, std::int32_t row) const {
     return plane.at_origin + plane.dx * word(column) + plane.dy * word(row);
   }
@@ -59,12 +62,9 @@ struct PolygonSource {
   PolygonTable& table;  ///< with buckets of one row each, which waking and sleeping change
   Viewport viewport;
 
-  [[nodiscard]] PolygonCorners corners(const AwakePolygon& polygon) const {
-    return table.corners(table.groups[polygon.group], polygon.number);
-  }
-  [[nodiscard]] PlaneEquation plane_equation(const AwakePolygon& polygon) const {
-    const auto [a, b, c] = corners(polygon).corner;
-    return {a, b, c, table.groups[polygon.group].vertices, viewport};
+  [[nodiscard]] PolygonCorners corners(const AwakePolygon& polygon) const { return entry(polygon).corners(); }
+  [[nodiscard]] PolygonEntry entry(const AwakePolygon& polygon) const {
+    return {table, table.groups[polygon.group], polygon.number};
   }
 };
 
@@ -72,7 +72,9 @@ struct PolygonSource {
 template <class Depth>
 [[gnu::noinline]] void make_plane(AwakePolygon& polygon, const PolygonSource& source) {
   using Smaller = DepthFormat<Depth::bits, typename Depth::Word, DepthSense::smaller_is_nearer>;
-  polygon.plane = source.plane_equation(polygon).template depth<Smaller>();
+  const PolygonEntry entry = source.entry(polygon);
+  polygon.plane =
+      plane_equation_of(entry, entry.corners(), polygon.is_outline(), source.viewport).template depth<Smaller>();
   polygon.has_plane = true;
 }
 

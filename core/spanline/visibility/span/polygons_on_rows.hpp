@@ -20,7 +20,7 @@ namespace spanline {
     for (Link polygon = 0; polygon < table.polygon_count; ++polygon) {
       group = table.group_of(polygon, group);
       if (table.groups[group].see_through != see_through) continue;
-      const RowRange rows = row_range(table.corners(table.groups[group], polygon));
+      const RowRange rows = row_range({table, table.groups[group], polygon});
       if (rows.first <= row && row < rows.end) ++here;
     }
     most = std::max(most, here);

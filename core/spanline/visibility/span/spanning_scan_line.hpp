@@ -9,12 +9,15 @@
 #include <span>
 #include <string_view>
 
+#include "spanline/raster/fan_diagonals.hpp"
 #include "spanline/raster/link.hpp"
 #include "spanline/raster/make_surface.hpp"
 #include "spanline/raster/plane_equation.hpp"
 #include "spanline/raster/polygon_table.hpp"
 #include "spanline/raster/surface_blocks.hpp"
 #include "spanline/visibility/algorithm.hpp"
+#include "spanline/visibility/covered_triangles.hpp"
+#include "spanline/visibility/screen_surface.hpp"
 #include "spanline/visibility/band_target.hpp"
 #include "spanline/visibility/span/active_edge_table.hpp"
 #include "spanline/visibility/span/layer_sweep.hpp"
@@ -47,6 +50,7 @@ class SpanningScanLine {
 
   /// Depths are written only when counting, for inspection. The algorithm does not read them.
   static constexpr AlgorithmNeeds needs = AlgorithmNeeds::screen_polygons;
+  static constexpr bool takes_outlines = true;
   static constexpr bool keeps_depth = Counting, tests_depth = false, takes_table_apart = true, clears_ahead = true;
 
   using Counter = SpanningCounter;
@@ -273,7 +277,7 @@ class SpanningScanLine {
       Shaders::with(group.shader, [&]<class Shader>() {
         if (!entry.has_surface) make_surface<Shader>(entry, group);
         auto& surface = entry.surface.template as<typename Shader::Surface>();
-        if constexpr (Shader::interpolates) {
+        if constexpr (Shader::interpolates || DividesOutlines<Shader>) {
           surface.skip_rows(row - entry.surface_row);
           entry.surface_row = static_cast<std::uint16_t>(row);
         }
@@ -285,12 +289,8 @@ class SpanningScanLine {
     [[gnu::noinline]] void make_surface(Entry& entry, const ShadingGroup& group) {
       auto* surface = new (entry.surface.bytes) typename Shader::Surface;
       entry.has_surface = true;
-      if constexpr (Shader::interpolates) {
-        spanline::make_surface<Shader>(*surface, group, this->corners(entry), this->plane_equation(entry));
-        entry.surface_row = 0;
-      } else {
-        Shader::make(*surface, group, this->corners(entry));
-      }
+      entry.surface_row = 0;
+      make_screen_surface<Shader>(*surface, group, this->entry(entry), entry.is_outline(), this->viewport);
     }
 
     // The functions that LayerSweep calls.
@@ -304,14 +304,35 @@ class SpanningScanLine {
       if constexpr (Counting) {
         if (again() && !this->table.groups[polygon.group].see_through) return;
         ++target.counters->own[Counter::decisions];
-        covered(shading[polygon.group].first_id + this->corners(polygon).triangle);
+        tell_covered(polygon);
       }
+    }
+
+    /// Tells which triangles of a polygon cover a pixel of the row.
+    void tell_covered(const AwakePolygon& polygon) {
+      const PolygonEntry entry = this->entry(polygon);
+      const std::uint32_t id = shading[polygon.group].first_id + entry.corners().triangle;
+      if (!polygon.is_outline()) return covered(id);
+      const AwakePolygon::Columns now = polygon.columns_below(0);
+      FanDiagonals(entry.outline())
+          .for_each_part({std::max<std::int32_t>(now.left, 0), polygon.right}, row,
+                         [&](unsigned number, RowColumns) { covered(id + number); });
+    }
+    /// An outline that falls asleep may have triangles that begin while it sleeps.
+    void tell_covered_asleep(const AwakePolygon& polygon) {
+      const PolygonEntry entry = this->entry(polygon);
+      if (polygon.is_outline())
+        spanline::tell_covered(entry, this->viewport, row + row_bias,
+                               shading[polygon.group].first_id + entry.corners().triangle, covered);
     }
 
     void hidden(AwakePolygon& polygon, const AwakePolygon& front) {
       if (polygon.turn_row - row <= polygon_sleep::least_rows || row < polygon.retry_row) return;
       [[maybe_unused]] const bool sleeps = polygon_sleep::fall_asleep(polygon, front, this->table, row, target.width);
-      if constexpr (Counting) target.counters->own[Counter::sleeps] += sleeps;
+      if constexpr (Counting) {
+        target.counters->own[Counter::sleeps] += sleeps;
+        if (sleeps) tell_covered_asleep(polygon);
+      }
     }
 
     [[nodiscard]] typename Depth::Word* depth_line() const { return target.depth + (line - target.pixels); }

@@ -119,7 +119,7 @@ void defer_waiting(const PolygonSource& source, Link waiting, std::int32_t row) 
     const Link number = waiting;
     waiting = source.table.references[number].next;
     const PolygonGroup& group = source.table.groups[source.table.find_group(number)];
-    const std::int32_t end = row_range(source.table.corners(group, number)).end;
+    const std::int32_t end = row_range({source.table, group, number}).end;
     LeftOut{number, end < source.viewport.height ? end : source.viewport.height}.defer(source, row);
   }
 }

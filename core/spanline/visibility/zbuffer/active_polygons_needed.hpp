@@ -20,7 +20,7 @@ namespace spanline {
     Link group = 0;
     for (Link polygon = 0; polygon < table.polygon_count; ++polygon) {
       group = table.group_of(polygon, group);
-      const RowRange rows = row_range(table.corners(table.groups[group], polygon));
+      const RowRange rows = row_range({table, table.groups[group], polygon});
       const std::int32_t first = std::max<std::int32_t>(rows.first, 0), end = std::min(rows.end, viewport.height);
       const bool comes_in = first < top && end > top;
       const bool goes_on = end > bottom;

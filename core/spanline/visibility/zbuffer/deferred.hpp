@@ -42,6 +42,7 @@ class DeferredDepthBuffer {
  public:
   using Target = BandTarget<Depth, Pixel>;
   static constexpr AlgorithmNeeds needs = AlgorithmNeeds::screen_polygons;
+  static constexpr bool takes_outlines = true;
   static constexpr bool keeps_depth = true, tests_depth = true, takes_table_apart = false;
   static constexpr bool clears_ahead = false;                      // there is only one item buffer
   static constexpr std::string_view counter_names[] = {"shaded"};  ///< pixels shaded, background included
@@ -125,7 +126,7 @@ class DeferredDepthBuffer {
     if (kept.polygon != polygon) make(kept, table, shading, polygon, viewport);
     Shaders::with(kept.shader, [&]<class Shader>() {
       auto& surface = kept.surface.template as<typename Shader::Surface>();
-      if constexpr (Shader::interpolates) {
+      if constexpr (Shader::interpolates || DividesOutlines<Shader>) {
         if (row != kept.row) surface.skip_rows(row - kept.row);
         kept.row = static_cast<std::uint16_t>(row);
       }
@@ -138,18 +139,12 @@ class DeferredDepthBuffer {
                                      std::span<const ShadingGroup> shading, Link polygon, Viewport viewport) {
     const Link number = table.find_group(polygon);
     const PolygonGroup& group = table.groups[number];
-    const PolygonCorners corners = table.corners(group, polygon);
     kept.polygon = polygon;
     kept.row = 0;
     kept.shader = shading[number].shader;
     Shaders::with(kept.shader, [&]<class Shader>() {
       auto* surface = new (kept.surface.bytes) typename Shader::Surface;
-      if constexpr (Shader::interpolates) {
-        const auto [a, b, c] = corners.corner;
-        make_surface<Shader>(*surface, shading[number], corners, PlaneEquation(a, b, c, group.vertices, viewport));
-      } else {
-        Shader::make(*surface, shading[number], corners);
-      }
+      make_screen_surface<Shader>(*surface, shading[number], {table, group, polygon}, table.is_outline(polygon), viewport);
     });
   }
 

@@ -11,13 +11,16 @@
 
 #include "spanline/raster/active_triangle.hpp"
 #include "spanline/raster/attribute_gradients.hpp"
+#include "spanline/raster/fan_diagonals.hpp"
 #include "spanline/raster/link.hpp"
+#include "spanline/raster/make_surface.hpp"
 #include "spanline/raster/polygon_corners.hpp"
 #include "spanline/raster/polygon_table.hpp"
 #include "spanline/raster/row_stepper.hpp"
 #include "spanline/raster/surface_blocks.hpp"
 #include "spanline/raster/triangle_setup.hpp"
 #include "spanline/visibility/algorithm.hpp"
+#include "spanline/visibility/covered_triangles.hpp"
 #include "spanline/visibility/zbuffer/active_polygons_needed.hpp"
 #include "spanline/visibility/zbuffer/fragment_lists.hpp"
 #include "spanline/visibility/zbuffer/see_through_rows.hpp"
@@ -54,6 +57,7 @@ class DepthBuffer {
   using Bounds = std::conditional_t<Bounded, DepthBounds<Depth>, NoDepthBounds>;
 
   static constexpr AlgorithmNeeds needs = AlgorithmNeeds::screen_polygons;
+  static constexpr bool takes_outlines = true;
   static constexpr bool keeps_depth = true, tests_depth = true, takes_table_apart = false, clears_ahead = !Bounded;
   static constexpr std::span<const std::string_view> counter_names{};
 
@@ -207,10 +211,12 @@ class DepthBuffer {
 
   template <bool Drawn, class ShadingGroup, class Covered>
   [[gnu::always_inline]] inline void begin(Job<ShadingGroup>& job, Link polygon, Link*& link, Covered& covered) {
-    const PolygonCorners corners = job.table.corners(*job.group, polygon);
+    const auto entry_of = [&] { return PolygonEntry{job.table, *job.group, polygon}; };
     if constexpr (!Drawn) {
-      if (row_range(corners).end + row_bias <= job.target.end_row) return;
+      if (row_range(entry_of()).end + row_bias <= job.target.end_row) return;
     }
+    if (job.table.is_outline(polygon)) return begin_outline<Drawn>(job, polygon, link, covered);
+    const PolygonCorners corners = job.table.corners(*job.group, polygon);
     Shaders::with(
         job.shader(), [&]<class Shader>() __attribute__((always_inline)) {
           typename Shader::Surface surface;
@@ -225,29 +231,63 @@ class DepthBuffer {
           }
           if constexpr (requires { surface.item; }) surface.item = polygon;
           if constexpr (Counting && Drawn) {
-            if (covers_pixels(job.triangle, corners, job.viewport)) covered(job.shading->first_id + corners.triangle);
+            if (covers_pixels(job.triangle, entry_of, job.viewport)) covered(job.shading->first_id + corners.triangle);
           }
-          if (pass_rows<Drawn, Shader>(job.triangle, surface, job.target,
-                                       [&] { return job.table.corners(*job.group, polygon); }))
+          if (pass_rows<Drawn, Shader>(job.triangle, surface, job.target, entry_of))
             keep(job.triangle, surface, polygon, link);
         });
   }
 
+  /// As `begin`, for an outline. Not inlined, so that triangles pay nothing for it.
+  template <bool Drawn, class ShadingGroup, class Covered>
+  [[gnu::noinline]] void begin_outline(Job<ShadingGroup>& job, Link polygon, Link*& link, Covered& covered) {
+    const PolygonEntry entry{job.table, *job.group, polygon};
+    const PolygonCorners corners = entry.corners();
+    Shaders::with(job.shader(), [&]<class Shader>() {
+      typename Shader::Surface surface;
+      const bool drawn =
+          set_up_outline<Depth>(entry, corners, job.viewport, job.triangle, [&](auto gradients) {
+            if constexpr (Shader::interpolates)
+              make_surface<Shader>(surface, *job.shading, corners, gradients());
+            else
+              Shader::make(surface, *job.shading, corners);
+          });
+      if (!drawn) return;
+      if constexpr (DividesOutlines<Shader>)
+        Shader::divide(surface, FanDiagonals(entry.outline()), job.triangle.origin,
+                       job.triangle.row - row_bias);
+      if constexpr (requires { surface.item; }) surface.item = polygon;
+      if constexpr (Counting && Drawn)
+        tell_covered(entry, job.viewport, job.triangle.row, job.shading->first_id + corners.triangle, covered);
+      if (pass_outline<Drawn, Shader>(job.triangle, surface, job.target, entry))
+        keep(job.triangle, surface, polygon, link);
+    });
+  }
+
   /// Draws the rows of a polygon that lie in the band, or steps over them. True if the polygon continues below the
   /// band.
-  template <bool Drawn, class Shader, class CornersOf>
+  template <bool Drawn, class Shader, class EntryOf>
   [[gnu::always_inline]] bool pass_rows(ActiveTriangle& triangle, typename Shader::Surface& surface,
-                                        const RowsTarget& target, CornersOf corners_of) {
+                                        const RowsTarget& target, EntryOf entry_of) {
     if constexpr (!Drawn) {
-      return skip_rows(triangle, surface, target.end_row, corners_of);
+      return skip_rows(triangle, surface, target.end_row, entry_of);
     } else if constexpr (SeeThrough<Shader>) {
       if constexpr (Bounded)
         target.bounds->touch(triangle.row - target.first_row,
                              std::min(triangle.end_row(), target.end_row) - triangle.row);
-      return Layers::draw(triangle, surface, target, fragments_, corners_of);
+      return Layers::draw(triangle, surface, target, fragments_, entry_of);
     } else {
-      return Rows::draw(triangle, surface, target, corners_of);
+      return Rows::draw(triangle, surface, target, entry_of);
     }
+  }
+  /// The same for an outline.
+  template <bool Drawn, class Shader>
+  [[gnu::noinline]] bool pass_outline(ActiveTriangle& outline, typename Shader::Surface& surface,
+                                      const RowsTarget& target, const PolygonEntry& entry) {
+    if constexpr (Drawn && !SeeThrough<Shader>)
+      return Rows::draw_outline(outline, surface, target, entry);
+    else
+      return pass_rows<Drawn, Shader>(outline, surface, target, [&] { return entry; });
   }
 
   /// Sets up the edges, the plane and the surface of a polygon. Not inlined, since this set-up needs every register.
@@ -278,9 +318,12 @@ class DepthBuffer {
   template <bool Drawn, class ShadingGroup>
   void go_on(Job<ShadingGroup>& job, Link*& link) {
     Entry& entry = pool_[*link];
+    const auto entry_of = [&] { return PolygonEntry{job.table, *job.group, entry.polygon}; };
     const bool goes_on = Shaders::with(job.shader(), [&]<class Shader>() {
-      return pass_rows<Drawn, Shader>(entry.triangle, entry.surface.template as<typename Shader::Surface>(), job.target,
-                                      [&] { return job.table.corners(*job.group, entry.polygon); });
+      auto& surface = entry.surface.template as<typename Shader::Surface>();
+      return entry.triangle.flags.outline()
+                 ? pass_outline<Drawn, Shader>(entry.triangle, surface, job.target, entry_of())
+                 : pass_rows<Drawn, Shader>(entry.triangle, surface, job.target, entry_of);
     });
     if (goes_on) {
       link = &entry.next;
@@ -315,9 +358,10 @@ class DepthBuffer {
   }
 
   /// Whether the triangle covers any pixel centre inside the viewport.
-  static bool covers_pixels(ActiveTriangle triangle, const PolygonCorners& corners, Viewport viewport) {
+  template <class EntryOf>
+  static bool covers_pixels(ActiveTriangle triangle, EntryOf entry_of, Viewport viewport) {
     while (triangle.rows_to_knee + triangle.rows_after_knee > 0) {
-      const RowColumns columns = step_row(triangle, [&] { return corners; });
+      const RowColumns columns = step_row(triangle, entry_of);
       const std::int32_t first = triangle.origin + columns.first, end = triangle.origin + columns.end;
       if (std::min(end, viewport.width) > std::max<std::int32_t>(first, 0)) return true;
     }

@@ -18,13 +18,13 @@ struct SeeThroughRows {
   using Target = BandTarget<Depth, Pixel>;
 
   /// As TriangleRows::draw, including the meaning of the result.
-  template <class Surface, class CornersOf>
+  template <class Surface, class EntryOf>
   [[gnu::noinline]] static bool draw(ActiveTriangle& triangle, Surface& surface, const Target& target,
-                                     Fragments& fragments, CornersOf corners_of) {
+                                     Fragments& fragments, EntryOf entry_of) {
     while (triangle.rows_to_knee + triangle.rows_after_knee > 0) {
       if (triangle.row == target.end_row) return true;
       const std::int32_t row = triangle.row - target.first_row;
-      RowColumns columns = step_row(triangle, corners_of);
+      RowColumns columns = step_row(triangle, entry_of);
       if (triangle.flags.clipped()) {
         columns.first = std::max<std::int32_t>(columns.first, 0);
         columns.end = std::min(columns.end, target.width);

@@ -6,6 +6,8 @@
 #include "spanline/cpu/depth_run.hpp"
 #include "spanline/cpu/fixed_rows.hpp"
 #include "spanline/raster/active_triangle.hpp"
+#include "spanline/raster/polygon_table.hpp"
+#include "spanline/raster/outline_setup.hpp"
 #include "spanline/raster/surface_blocks.hpp"
 #include "spanline/raster/triangle_setup.hpp"
 #include "spanline/visibility/band_target.hpp"
@@ -23,10 +25,10 @@ class TriangleRows {
   using Target = std::conditional_t<Bounded, BoundedBandTarget<Depth, Pixel>, BandTarget<Depth, Pixel>>;
   using Run = DepthRun<Depth, Pixel>;
 
-  /// `corners_of` returns the polygon's corners; it is called only where a large triangle reaches its knee. True if the
-  /// triangle continues below the band.
-  template <class Surface, class CornersOf>
-  static bool draw(ActiveTriangle& triangle, Surface& surface, const Target& target, CornersOf corners_of) {
+  /// `entry_of` returns the polygon's PolygonEntry; it is called only where a large triangle reaches its knee. True if
+  /// the triangle continues below the band.
+  template <class Surface, class EntryOf>
+  static bool draw(ActiveTriangle& triangle, Surface& surface, const Target& target, EntryOf entry_of) {
     const std::int32_t before = triangle.rows_to_knee, after = triangle.rows_after_knee;
     const std::int32_t available = target.end_row - triangle.row;
     if constexpr (Bounded) {
@@ -34,11 +36,11 @@ class TriangleRows {
         target.bounds->touch(triangle.row - target.first_row, std::min(before + after, available));
     }
     if (before + after <= available) {
-      draw_rows(triangle, surface, target, before, after, corners_of);
+      draw_rows(triangle, surface, target, before, after, entry_of);
       return false;
     }
     const std::int32_t before_here = std::min(before, available), after_here = available - before_here;
-    draw_rows(triangle, surface, target, before_here, after_here, corners_of);
+    draw_rows(triangle, surface, target, before_here, after_here, entry_of);
     if (triangle.flags.size() != ActiveTriangle::Size::large) {
       triangle.skip_rows(before_here, after_here);
       surface.skip_rows(available);
@@ -47,6 +49,31 @@ class TriangleRows {
     triangle.rows_to_knee = before - before_here;
     triangle.rows_after_knee = after - after_here;
     return true;
+  }
+
+  /// As `draw`, for an outline: it is drawn from corner to corner.
+  template <class Surface>
+  [[gnu::noinline]] static bool draw_outline(ActiveTriangle& outline, Surface& surface, const Target& target,
+                                             const PolygonEntry& entry) {
+    const bool large = outline.flags.size() == ActiveTriangle::Size::large;
+    if constexpr (Bounded) {
+      if (!large)
+        target.bounds->touch(outline.row - target.first_row, std::min(outline.end_row(), target.end_row) - outline.row);
+    }
+    for (;;) {
+      const std::int32_t rows = std::min(outline.rows_to_knee, target.end_row - outline.row);
+      draw_rows(outline, surface, target, rows, 0, [&] { return entry; });
+      outline.rows_to_knee -= rows;
+      const bool ended = outline.rows_to_knee == 0;
+      if (ended && outline.rows_after_knee == 0) return false;
+      if (!large) {
+        outline.skip_rows(rows, 0);
+        surface.skip_rows(rows);
+        outline.row += rows;
+      }
+      if (ended) place_outline_edges(entry.outline(), outline);
+      if (outline.row == target.end_row) return true;
+    }
   }
 
  private:
@@ -59,14 +86,14 @@ class TriangleRows {
                                 [&](const auto& source) { return Counts::source(source, target); });
   }
 
-  template <class Surface, class CornersOf>
+  template <class Surface, class EntryOf>
   static void draw_rows(ActiveTriangle& triangle, Surface& surface, const Target& target, std::int32_t before,
-                        std::int32_t after, CornersOf& corners_of) {
+                        std::int32_t after, const EntryOf& entry_of) {
     if (FixedRows<Depth, Pixel, Counts>::draw(triangle, surface, target, before, after)) return;
     if (before > 0) large_rows(triangle, surface, target, before);
     if (after > 0) {
       if (!triangle.flags.past_knee()) {
-        put_third_large_edge(corners_of(), triangle);
+        put_third_large_edge(entry_of().corners(), triangle);
         triangle.flags.set_past_knee();
       }
       large_rows(triangle, surface, target, after);
