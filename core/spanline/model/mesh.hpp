@@ -75,7 +75,7 @@ struct BoundingSphere {
 /// A polygon of n corners is the fan of triangles (0,1,2), (0,2,3) …, which are numbered in that order.
 struct Mesh {
   static constexpr unsigned max_corners = 8;  ///< of a polygon
-  /// Mark of a polygon in `corners` whose corners lie within half a step of one plane, with texture coordinates,
+  /// Mark of a polygon in `corners` whose corners lie within half a unit of one plane, with texture coordinates,
   /// colours and opacities that are linear over it. `validate()` holds it against the tables (model/planarity.hpp).
   static constexpr std::uint8_t planar = 0x80;
   static constexpr std::size_t max_vertices = 65535;  ///< in the table

@@ -21,12 +21,13 @@ namespace spanline {
 /// What keeps a polygon from being marked as planar.
 enum class Planarity : std::uint8_t {
   planar,    ///< nothing
-  bent,      ///< its corners are not within half a step of one plane, or farther than 2^17 steps from its first corner
+  bent,      ///< its corners are not within half a unit of one plane
   unlinear,  ///< its texture coordinates, colours or opacities are no linear function over it
 };
 
 /// Whether polygon `polygon` of a mesh may be marked with Mesh::planar; `first_index` is that of its first corner in
-/// `indices`. The mesh's other tables are valid.
+/// `indices`. The mesh's other tables are valid. Lengths are measured in units: a unit is a step of the mesh, or the least power of
+/// two of steps of which no corner lies more than 2^17 along an axis from the first one.
 [[nodiscard]] Planarity planarity_of(const Mesh& mesh, std::size_t polygon, std::size_t first_index);
 
 }  // namespace spanline

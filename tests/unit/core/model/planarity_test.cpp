@@ -102,19 +102,28 @@ TEST(Planarity, CornersMayLieHalfAStepFromThePlane) {
   EXPECT_EQ(planarity(polygon_of({{0, 0, 0}, {9, 0, 0}, {18, 0, 0}, {27, 0, 0}})), Planarity::bent) << "no area";
 }
 
-TEST(Planarity, CornersAreWithinReach) {
-  constexpr std::int32_t reach = 1 << 17;
-  for (const std::int32_t side : {reach, reach + 1}) {
-    const Planarity wanted = side == reach ? Planarity::planar : Planarity::bent;
-    for (const std::int32_t from : {0, 1 << 30, -(1 << 30) + 2 * reach}) {
-      const auto at = [from](std::int32_t x) { return from > 0 ? from - x : from + x; };
-      EXPECT_EQ(planarity(polygon_of({{at(0), 0, 0}, {at(side), 0, 0}, {at(side), side, 0}, {at(0), side, 0}})),
-                wanted);
-      EXPECT_EQ(planarity(polygon_of({{0, at(0), 0}, {0, at(side), 0}, {0, at(side), side}, {0, at(0), side}})),
-                wanted);
-      EXPECT_EQ(planarity(polygon_of({{0, 0, at(0)}, {0, 0, at(side)}, {side, 0, at(side)}, {side, 0, at(0)}})),
-                wanted);
+TEST(Planarity, LargePolygonsAreMeasuredInLargerUnits) {
+  constexpr std::int32_t reach = 1 << 17, whole_range = 1 << 30;
+  const auto lifted_square = [](std::int32_t from, std::int32_t to, std::int32_t lift, int axis) {
+    std::vector<Vertex32> corners{{from, from, 0}, {to, from, 0}, {to, to, lift}, {from, to, 0}};
+    if (axis == 1)
+      for (Vertex32& v : corners) v = {v.z, v.x, v.y};
+    if (axis == 2)
+      for (Vertex32& v : corners) v = {v.y, v.z, v.x};
+    return planarity(polygon_of(corners));
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const std::int32_t from : {0, whole_range - 2 * reach, -whole_range}) {
+      // A corner may be lifted by two units, which are steps within reach and twice as long beyond.
+      EXPECT_EQ(lifted_square(from, from + reach, 2, axis), Planarity::planar);
+      EXPECT_EQ(lifted_square(from, from + reach, 3, axis), Planarity::bent);
+      EXPECT_EQ(lifted_square(from, from + reach + 1, 4, axis), Planarity::planar);
+      EXPECT_EQ(lifted_square(from, from + reach + 1, 6, axis), Planarity::bent);
+      EXPECT_EQ(lifted_square(from + 2 * reach, from, 4, axis), Planarity::planar);
     }
+    // 2^31 steps are 2^17 units of 2^14 steps.
+    EXPECT_EQ(lifted_square(-whole_range, whole_range, 2 << 14, axis), Planarity::planar);
+    EXPECT_EQ(lifted_square(-whole_range, whole_range, 3 << 14, axis), Planarity::bent);
   }
 }
 
