@@ -6,6 +6,7 @@
 
 #include "base/failure.hpp"
 #include "scene/core_values.hpp"
+#include "scene/fan_joining.hpp"
 
 namespace spanline::sim {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 constexpr int finest_step = -30, coarsest_step = 14;  // Mesh::step_exponent
 constexpr double offset_limit = 1 << 30;
 constexpr std::int64_t vertex_values = 65536;
+constexpr std::size_t most_triangles = 65535;  ///< of all fans, which 16 bits number on boards
 
 std::int64_t in_steps(double value, int exponent) { return std::llround(std::ldexp(value, -exponent)); }
 
@@ -36,20 +38,16 @@ std::int32_t choose_offset(double low, double high, int exponent) {
   return static_cast<std::int32_t>((first + last + 1) >> 1);
 }
 
-void check_limits(const Scene& scene) {
-  const auto too_many = [](const char* what, std::size_t count, std::size_t limit) {
-    return Failure("has " + std::to_string(count) + " " + what + ", and a mesh holds at most " + std::to_string(limit));
-  };
-  if (scene.positions.size() > Mesh::max_vertices)
-    throw too_many("vertices", scene.positions.size(), Mesh::max_vertices);
-  if (scene.triangles.size() > Mesh::max_polygons)
-    throw too_many("triangles", scene.triangles.size(), Mesh::max_polygons);
+void check_limit(const char* what, std::size_t count, std::size_t limit) {
+  if (count > limit)
+    throw Failure("has " + std::to_string(count) + " " + what + ", and a mesh holds at most " + std::to_string(limit));
 }
 
 }  // namespace
 
 CoreMesh to_flash_mesh(const Scene& scene) {
-  check_limits(scene);
+  check_limit("vertices", scene.positions.size(), Mesh::max_vertices);
+  check_limit("triangles", scene.triangles.size(), most_triangles);
   const BoundingBox box = bounding_box(scene);
   CoreMesh mesh;
   mesh.step_exponent = choose_step(box);
@@ -75,6 +73,8 @@ CoreMesh to_flash_mesh(const Scene& scene) {
   if (!scene.texture_points.empty()) mesh.texture_exponent = texture_exponent_for(scene.texture_points);
   for (const TexturePoint point : scene.texture_points)
     mesh.texture_coordinates.push_back(to_coordinate(point, mesh.texture_exponent));
+  if (!scene.polygon_triangles.empty()) join_fans(mesh, scene.polygon_triangles);
+  check_limit("polygons", mesh.view().polygon_count(), Mesh::max_polygons);
   return mesh;
 }
 

@@ -17,7 +17,8 @@ std::size_t peak(const FrameStatistics& statistics, const char* name) {
 
 }  // namespace
 
-FrameNeed measure_need(const Scene& scene) {
+FrameNeed measure_need(Scene scene) {
+  scene.polygon_triangles.clear();
   FrameRequest request;
   request.visibility = &find_visibility("scanline-z");
   const View home = resolve_view({}, scene, request.size, true);

@@ -63,6 +63,7 @@ void append_tables(std::string& text, const CoreMesh& mesh) {
   append_table(text, "spanline::Vertex16", "vertices", mesh.vertices,
                [](const Vertex16& v) { return triple(v.x, v.y, v.z); });
   append_table(text, "std::uint16_t", "indices", mesh.indices, [](std::uint16_t i) { return std::to_string(i); });
+  append_table(text, "std::uint8_t", "corners", mesh.corners, [](std::uint8_t c) { return std::to_string(c); });
   append_table(text, "spanline::PackedNormal", "polygon_normals", mesh.polygon_normals, normal_text);
   append_table(text, "spanline::PackedNormal", "vertex_normals", mesh.vertex_normals, normal_text);
   append_table(text, "spanline::Rgb888", "polygon_colours", mesh.polygon_colours, colour_text);
@@ -106,6 +107,7 @@ std::vector<TableSize> table_sizes(const CoreMesh& mesh) {
   };
   add("vertices", mesh.vertices);
   add("indices", mesh.indices);
+  add("corners", mesh.corners);
   add("polygon_normals", mesh.polygon_normals);
   add("vertex_normals", mesh.vertex_normals);
   add("polygon_colours", mesh.polygon_colours);
@@ -117,7 +119,8 @@ std::vector<TableSize> table_sizes(const CoreMesh& mesh) {
 
 std::string write_header(const CoreMesh& mesh, const std::string& name, const std::string& source) {
   std::string text = "// Made by `spanline convert` from " + comment_safe(source) + ": " +
-                     std::to_string(mesh.vertices.size()) + " vertices, " + std::to_string(mesh.indices.size() / 3) +
+                     std::to_string(mesh.vertices.size()) + " vertices, " +
+                     std::to_string(mesh.view().triangle_count()) +
                      " triangles.\n#pragma once\n#include <spanline/model/mesh.hpp>\n\nnamespace spanline_models {\n\n";
   text += mesh_definition(mesh, name);
   text += "\n}  // namespace spanline_models\n";

@@ -38,6 +38,7 @@ std::string frame_report(const FrameEntries& entries, const FrameNeed& need) {
   if (entries.textured_vertices != 0)
     ram.add(counted("textured vertices", entries.textured_vertices), entries.textured_vertices * sizeof(TextureVertex));
   ram.add(counted("polygons, framed and turned", need.polygons), need.polygons * board::polygon);
+  if (entries.has_fans) ram.add(counted("fans, framed and turned", need.polygons), need.polygons * board::fan);
   ram.add(counted("active, framed and turned", need.active), need.active * board::active);
   ram.add(counted("instances", entries.instances), entries.instances * board::instance);
   ram.add("320x240 in bands of 16, two of colour", board::bands_of_16);
@@ -48,7 +49,7 @@ std::string memory_report(const CoreMesh& mesh, const FrameNeed& need) {
   MemorySection flash("flash");
   for (const TableSize& table : table_sizes(mesh)) flash.add(table.name, table.bytes);
   flash.add("mesh", board::mesh_object);
-  return flash.finish() + frame_report({.vertices = mesh.vertices.size()}, need);
+  return flash.finish() + frame_report({.vertices = mesh.vertices.size(), .has_fans = !mesh.corners.empty()}, need);
 }
 
 }  // namespace spanline::sim

@@ -26,6 +26,7 @@ class MemorySection {
 /// What a frame takes entries for.
 struct FrameEntries {
   std::size_t vertices = 0, textured_vertices = 0, instances = 1;
+  bool has_fans = false;  ///< any mesh has polygons of more than three corners
 };
 /// The RAM of a frame, line by line, and its sum.
 [[nodiscard]] std::string frame_report(const FrameEntries& entries, const FrameNeed& need);

@@ -8,6 +8,17 @@
 namespace spanline::sim {
 namespace {
 
+/// The polygons that the triangles from `begin` to `end` are.
+std::vector<std::uint8_t> polygons_between(const Scene& scene, std::size_t begin, std::size_t end) {
+  std::vector<std::uint8_t> polygons;
+  std::size_t first = 0;
+  for (const std::uint8_t count : scene.polygon_triangles) {
+    if (first >= begin && first < end) polygons.push_back(count);
+    first += count;
+  }
+  return polygons;
+}
+
 /// The triangles of one part, with the vertices that they use.
 Scene scene_of_part(const Scene& scene, std::size_t number) {
   const std::size_t begin = scene.parts[number].first;
@@ -21,6 +32,7 @@ Scene scene_of_part(const Scene& scene, std::size_t number) {
   part.parts[0].first = 0;
   cut(scene.triangles, part.triangles);
   cut(scene.polygon_normals, part.polygon_normals);
+  part.polygon_triangles = polygons_between(scene, begin, end);
   part.polygon_colours.clear();  // the part's colour
   if (part.parts[0].image == Scene::Part::no_image) part.texture_points.clear();
   return welded(part);
@@ -99,11 +111,13 @@ std::string parts_report(const FlashParts& parts, const FrameNeed& need) {
     flash.add("texture " + std::to_string(i) + ", " + to_string(image.shape.format), image.flash_bytes());
   }
   std::size_t vertices = 0, textured = 0;
+  bool has_fans = false;
   for (const CoreMesh& mesh : parts.meshes) {
     vertices += mesh.vertices.size();
     textured += mesh.texture_coordinates.size();
+    has_fans |= !mesh.corners.empty();
   }
-  return flash.finish() + frame_report({vertices, textured, parts.meshes.size()}, need);
+  return flash.finish() + frame_report({vertices, textured, parts.meshes.size(), has_fans}, need);
 }
 
 }  // namespace spanline::sim

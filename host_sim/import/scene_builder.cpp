@@ -69,6 +69,7 @@ class SceneBuilder {
     }
     if (scene_.triangles.empty()) throw std::runtime_error("has no triangle");
     scene_.normals_from_file = any_normals_;
+    if (scene_.polygon_triangles.size() == scene_.triangles.size()) scene_.polygon_triangles.clear();
     return std::move(scene_);
   }
 
@@ -175,6 +176,12 @@ class SceneBuilder {
       scene_.triangles.push_back(mirrored ? Scene::Triangle{a, c, b} : Scene::Triangle{a, b, c});
       scene_.polygon_normals.push_back(mirrored ? -normal : normal);
     }
+    // A mirrored polygon is no fan of its triangles in file order, which is what ids count.
+    const unsigned triangles = face.mNumIndices - 2;
+    if (triangles <= Scene::most_fan_triangles && !mirrored)
+      scene_.polygon_triangles.push_back(static_cast<std::uint8_t>(triangles));
+    else
+      scene_.polygon_triangles.insert(scene_.polygon_triangles.end(), triangles, 1);
   }
 
   const aiScene& file_;

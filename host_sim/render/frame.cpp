@@ -60,8 +60,8 @@ class FrameDrawing {
                std::vector<std::byte>& memory)
       : request_(request), passes_(passes_of(*request.visibility)), capacity_(capacity), memory_(memory) {
     for (const CoreMesh& mesh : meshes) {
-      triangles_ += mesh.indices.size() / 3;
       meshes_.push_back(mesh.view());
+      triangles_ += meshes_.back().triangle_count();
     }
     refuse_mixtures(meshes);
     const CoreMesh& first = meshes.front();
@@ -147,17 +147,15 @@ class FrameDrawing {
   void draw_colours(Frame& frame) {
     PassInput wanted = input(capacity_, settings_);
     wanted.want_depth = request_.want_depth;
-    wanted.want_covered = request_.want_statistics;
     auto pass = passes_.colours(wanted);
     frame.pixels = std::move(pass.pixels);
     frame.depths = std::move(pass.depths);
     const auto& counted = pass.statistics.polygons;
-    covered_ = static_cast<std::uint64_t>(std::count(pass.covered.begin(), pass.covered.end(), true));
     FrameStatistics& statistics = frame.statistics;
     statistics.polygons.total = counted.total;
     statistics.polygons.outside = counted.outside;
     statistics.polygons.back = counted.back;
-    if (request_.want_statistics) statistics.polygons.empty = counted.total - counted.outside - counted.back - covered_;
+    statistics.polygons.whole = counted.whole;
     statistics.visibility = pass.statistics.visibility;
     statistics.peak_bytes = named_peaks(pass.peaks);
     if (request_.samples > 1) draw_samples(frame.pixels);
@@ -197,10 +195,18 @@ class FrameDrawing {
 
   void draw_ids(Frame& frame) {
     if (triangles_ >= (1u << 24)) throw Failure("pictures of ids count to 16777215, and the model has more triangles");
-    auto pass = passes_.ids(input(capacity_, settings_));
-    const std::uint64_t visible = distinct_ids(pass.pixels, triangles_);
-    frame.statistics.polygons.visible = visible;
-    frame.statistics.polygons.obscured = covered_ - visible;
+    PassInput wanted = input(capacity_, settings_);
+    // Counted here, where clipped polygons are divided into the triangles of the file, as the picture of ids shows
+    // them.
+    wanted.want_covered = request_.want_statistics;
+    auto pass = passes_.ids(wanted);
+    if (request_.want_statistics) {
+      const auto covered = static_cast<std::uint64_t>(std::count(pass.covered.begin(), pass.covered.end(), true));
+      PolygonSets& polygons = frame.statistics.polygons;
+      polygons.empty = polygons.total - polygons.outside - polygons.back - covered;
+      polygons.visible = distinct_ids(pass.pixels, triangles_);
+      polygons.obscured = covered - *polygons.visible;
+    }
     if (request_.want_ids) frame.ids = std::move(pass.pixels);
   }
 
@@ -212,7 +218,6 @@ class FrameDrawing {
   std::vector<std::byte>& memory_;
   FrameSettings settings_;
   std::size_t triangles_ = 0;
-  std::uint64_t covered_ = 0;
 };
 
 }  // namespace
@@ -259,7 +264,10 @@ FrameRenderer::FrameRenderer(std::vector<CoreMesh> meshes) : meshes_(std::move(m
   capacity_.instances = static_cast<std::uint32_t>(meshes_.size());
   for (const CoreMesh& mesh : meshes_) {
     capacity_.vertices += static_cast<std::uint32_t>(mesh.wide_vertices.size());
-    capacity_.polygons += static_cast<std::uint32_t>(mesh.indices.size() / 3);
+    const auto triangles = static_cast<std::uint32_t>(mesh.view().triangle_count());
+    capacity_.polygons += triangles;
+    // An outline takes no more records than its fan, unless it is clipped.
+    if (!mesh.corners.empty()) capacity_.fans += triangles;
   }
 }
 

@@ -54,6 +54,7 @@ struct PolygonSets {
   std::uint64_t total = 0, outside = 0, back = 0;
   std::uint64_t empty = 0;                         ///< counted if statistics are asked for
   std::optional<std::uint64_t> obscured, visible;  ///< unknown where no ids were kept
+  std::uint64_t whole = 0;                         ///< polygons of more than three corners that were drawn as one
 };
 
 struct FrameStatistics {

@@ -12,7 +12,8 @@ std::string to_json(const FrameStatistics& statistics) {
   Json json;
   json["polygons"] =
       Json{{"total", polygons.total}, {"outside", polygons.outside},          {"back", polygons.back},
-           {"empty", polygons.empty}, {"obscured", known(polygons.obscured)}, {"visible", known(polygons.visible)}};
+           {"empty", polygons.empty}, {"obscured", known(polygons.obscured)}, {"visible", known(polygons.visible)},
+           {"whole", polygons.whole}};
   const VisibilityCounters& visibility = statistics.visibility;
   json["pixels"] = visibility.pixels;
   json["spans"] = visibility.spans;

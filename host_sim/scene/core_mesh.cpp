@@ -6,6 +6,7 @@
 
 #include "base/failure.hpp"
 #include "scene/core_values.hpp"
+#include "scene/fan_joining.hpp"
 
 namespace spanline::sim {
 namespace {
@@ -24,11 +25,13 @@ class MeshCutter {
   std::vector<CoreMesh> cut() {
     const bool by_parts = is_see_through(scene_) || textured() || has_different_highlights(scene_);
     auto part = scene_.parts.begin();
-    for (std::size_t i = 0; i < scene_.triangles.size(); ++i) {
+    for (std::size_t i = 0, polygon = 0; i < scene_.triangles.size(); ++polygon) {
+      const std::uint8_t count = scene_.polygon_triangles.empty() ? std::uint8_t{1} : scene_.polygon_triangles[polygon];
       const bool part_begins = by_parts && part != scene_.parts.end() && part->first == i;
-      if ((part_begins && i != 0) || !fits(scene_.triangles[i])) finish_mesh();
+      if ((part_begins && i != 0) || !fits(i, count)) finish_mesh();
       if (part_begins) part_ = static_cast<std::size_t>(part++ - scene_.parts.begin());
-      add_triangle(i);
+      fans_.push_back(count);
+      for (const std::size_t end = i + count; i < end; ++i) add_triangle(i);
     }
     finish_mesh();
     const BoundingSphere bounds = bounding_sphere(points_);
@@ -39,10 +42,14 @@ class MeshCutter {
  private:
   [[nodiscard]] bool textured() const { return !scene_.texture_points.empty(); }
 
-  [[nodiscard]] bool fits(const Scene::Triangle& triangle) const {
-    const auto fresh = static_cast<std::size_t>(
-        std::count_if(triangle.begin(), triangle.end(), [&](std::uint32_t v) { return local_[v] == no_vertex; }));
-    return mesh_.indices.size() / 3 < Mesh::max_polygons && used_.size() + fresh <= Mesh::max_vertices;
+  /// Whether the mesh has room for a fan, even if its triangles have to stand alone. Corners that they share count once
+  /// for each of them, which is too often at worst.
+  [[nodiscard]] bool fits(std::size_t first, std::size_t count) const {
+    std::size_t fresh = 0;
+    for (std::size_t i = first; i < first + count; ++i)
+      for (const std::uint32_t corner : scene_.triangles[i])
+        if (local_[corner] == no_vertex) ++fresh;
+    return mesh_.indices.size() / 3 + count <= Mesh::max_polygons && used_.size() + fresh <= Mesh::max_vertices;
   }
 
   void add_triangle(std::size_t number) {
@@ -84,9 +91,11 @@ class MeshCutter {
       mesh_.highlights = part.highlights;
       if (textured()) mesh_.colour = part.colour;
     }
+    if (!scene_.polygon_triangles.empty()) join_fans(mesh_, fans_);
     meshes_.push_back(std::move(mesh_));
     mesh_ = {};
     used_.clear();
+    fans_.clear();
   }
 
   const Scene& scene_;
@@ -97,6 +106,7 @@ class MeshCutter {
   std::vector<std::uint32_t> local_;        ///< number within the mesh of each of the scene's vertices
   std::size_t part_ = 0;                    ///< of the scene
   std::vector<std::uint32_t> used_;         ///< vertices of the mesh
+  std::vector<std::uint8_t> fans_;          ///< of the mesh, as Scene::polygon_triangles
   std::vector<Vec3<std::int64_t>> points_;  ///< of all meshes
 };
 
@@ -121,6 +131,7 @@ Mesh CoreMesh::view() const {
   mesh.vertices = vertices;
   mesh.wide_vertices = wide_vertices;
   mesh.indices = indices;
+  mesh.corners = corners;
   mesh.polygon_normals = polygon_normals;
   mesh.vertex_normals = vertex_normals;
   mesh.polygon_colours = polygon_colours;

@@ -12,6 +12,7 @@ struct CoreMesh {
   std::vector<Vertex16> vertices;
   std::vector<Vertex32> wide_vertices;
   std::vector<std::uint16_t> indices;
+  std::vector<std::uint8_t> corners;  ///< empty: all are triangles
   std::vector<PackedNormal> polygon_normals, vertex_normals;
   std::vector<Rgb888> polygon_colours, vertex_colours;
   std::vector<std::uint8_t> vertex_opacities;
@@ -29,8 +30,9 @@ struct CoreMesh {
 };
 
 /// The scene in the wide vertex form, steps of 2^−16 of a world unit, cut into meshes within Mesh's limits. Triangles
-/// stay in file order. Tables that the scene does not have stay empty. Where anything is seen through or
-/// textured, or highlights differ, every part of the scene has meshes of its own.
+/// stay in file order, and fans that can be are polygons (scene/fan_joining.hpp). Tables that the scene does not have
+/// stay empty. Where anything is seen through or textured, or highlights differ, every part of the scene has meshes of
+/// its own.
 ///
 /// All meshes state the bounds of the whole scene: the core chooses its exponents by them, and vertices that two meshes
 /// share must go to the same place on the screen.

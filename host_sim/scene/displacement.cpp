@@ -99,6 +99,7 @@ Scene displaced(const Scene& scene, const HeightImage& heights, const Displaceme
                   " are made");
   Scene result = scene;
   result.vertex_normals.clear();
+  result.polygon_triangles.clear();
   for (int level = 0; level < request.levels; ++level) Subdivision(result).run();
   move(result, heights, request.amount);
   result.polygon_normals.clear();

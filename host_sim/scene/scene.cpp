@@ -82,6 +82,7 @@ Scene welded(const Scene& scene) {
   Scene result;
   result.polygon_normals = scene.polygon_normals;
   result.polygon_colours = scene.polygon_colours;
+  result.polygon_triangles = scene.polygon_triangles;
   result.parts = scene.parts;
   result.images = scene.images;
   result.colour = scene.colour;

@@ -56,7 +56,7 @@ enum class PartWrap : std::uint8_t { repeat, clamp, mirror };
 /// A model as it comes from its file, in world space and in doubles: right-handed, y up, front faces counter-clockwise.
 ///
 /// Triangles stand in file order; a polygon of n corners is the fan (0,1,2), (0,2,3) … Every table is either empty or
-/// complete.
+/// complete. `polygon_triangles` says which fans the core may draw as one polygon.
 struct Scene {
   /// A run of triangles that the file keeps together: a surface of its own where it is seen through.
   struct Part {
@@ -72,6 +72,7 @@ struct Scene {
     friend bool operator==(const Part&, const Part&) = default;
   };
   using Triangle = std::array<std::uint32_t, 3>;
+  static constexpr unsigned most_fan_triangles = 6;  ///< of a polygon of the core, which has up to 8 corners
 
   std::vector<Vector3> positions;
   std::vector<Vector3> vertex_normals;         ///< unit length, one a vertex
@@ -81,7 +82,10 @@ struct Scene {
   std::vector<Triangle> triangles;             ///< vertex numbers
   std::vector<Vector3> polygon_normals;        ///< one a triangle: its polygon's (Newell), zero if it has no area
   std::vector<Rgb888> polygon_colours;         ///< one a triangle
-  std::vector<Part> parts;                     ///< in file order; empty: one, opaque
+  /// How many triangles each polygon's fan has, 1 … `most_fan_triangles`; those of larger polygons stand alone. Parts
+  /// begin with a polygon. Empty: all triangles stand alone.
+  std::vector<std::uint8_t> polygon_triangles;
+  std::vector<Part> parts;  ///< in file order; empty: one, opaque
   std::vector<SceneImage> images;
   Rgb888 colour{};                 ///< of everything, where there are no tables of colours
   bool normals_from_file = false;  ///< the file itself has vertex normals

@@ -77,6 +77,19 @@ bool in_order(const std::vector<Scene::Part>& parts, std::size_t triangles, std:
   return true;
 }
 
+/// Fans are all triangles, one behind the other, and every part begins with a fan.
+bool in_fans(const Scene& scene) {
+  if (scene.polygon_triangles.empty()) return true;
+  std::size_t first = 0;
+  auto part = scene.parts.begin();
+  for (const std::uint8_t count : scene.polygon_triangles) {
+    if (count < 1 || count > Scene::most_fan_triangles) return false;
+    if (part != scene.parts.end() && part->first == first) ++part;
+    first += count;
+  }
+  return first == scene.triangles.size() && part == scene.parts.end();
+}
+
 bool consistent(const Scene& scene) {
   const auto none_or = [](std::size_t size, std::size_t wanted) { return size == 0 || size == wanted; };
   const std::size_t vertices = scene.positions.size();
@@ -84,7 +97,7 @@ bool consistent(const Scene& scene) {
   return none_or(scene.vertex_normals.size(), vertices) && none_or(scene.vertex_colours.size(), vertices) &&
          none_or(scene.vertex_opacities.size(), vertices) && none_or(scene.texture_points.size(), vertices) &&
          none_or(scene.polygon_colours.size(), triangles) && scene.polygon_normals.size() == triangles &&
-         in_order(scene.parts, triangles, scene.images.size()) &&
+         in_order(scene.parts, triangles, scene.images.size()) && in_fans(scene) &&
          std::all_of(scene.positions.begin(), scene.positions.end(), finite) &&
          std::all_of(scene.vertex_normals.begin(), scene.vertex_normals.end(), finite) &&
          std::all_of(scene.texture_points.begin(), scene.texture_points.end(), finite_point) &&
@@ -108,6 +121,7 @@ std::vector<std::byte> to_bytes(const Scene& scene) {
   put(bytes, scene.triangles);
   put(bytes, scene.polygon_normals);
   put(bytes, scene.polygon_colours);
+  put(bytes, scene.polygon_triangles);
   put(bytes, scene.parts);
   put(bytes, scene.images);
   return bytes;
@@ -118,11 +132,11 @@ std::optional<Scene> scene_from_bytes(std::span<const std::byte> bytes) {
   if (bytes.empty()) return std::nullopt;
   scene.normals_from_file = bytes[0] != std::byte{0};
   bytes = bytes.subspan(1);
-  const bool whole = take(bytes, scene.positions) && take(bytes, scene.vertex_normals) &&
-                     take(bytes, scene.vertex_colours) && take(bytes, scene.vertex_opacities) &&
-                     take(bytes, scene.texture_points) && take(bytes, scene.triangles) &&
-                     take(bytes, scene.polygon_normals) && take(bytes, scene.polygon_colours) &&
-                     take(bytes, scene.parts) && take(bytes, scene.images) && bytes.empty();
+  const bool whole =
+      take(bytes, scene.positions) && take(bytes, scene.vertex_normals) && take(bytes, scene.vertex_colours) &&
+      take(bytes, scene.vertex_opacities) && take(bytes, scene.texture_points) && take(bytes, scene.triangles) &&
+      take(bytes, scene.polygon_normals) && take(bytes, scene.polygon_colours) &&
+      take(bytes, scene.polygon_triangles) && take(bytes, scene.parts) && take(bytes, scene.images) && bytes.empty();
   if (!whole || !consistent(scene)) return std::nullopt;
   return scene;
 }

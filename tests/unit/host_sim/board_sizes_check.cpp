@@ -18,6 +18,7 @@ static_assert(bytes_of_eight(&Capacity::instances) == 8 * instance);
 static_assert(bytes_of_eight(&Capacity::vertices) == 8 * vertex);
 static_assert(bytes_of_eight(&Capacity::shades) == 8 * shade);
 static_assert(bytes_of_eight(&Capacity::polygons) == 8 * polygon);
+static_assert(bytes_of_eight(&Capacity::fans) == 8 * fan);
 static_assert(bytes_of_eight(&Capacity::active) == 8 * active);
 static_assert(Board::bytes_needed(Capacity{.instances = 0}) == bands_of_16);
 static_assert(sizeof(Mesh) == mesh_object);

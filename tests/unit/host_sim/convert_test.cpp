@@ -24,7 +24,8 @@ namespace {
 constexpr const Mesh& cube = spanline_models::cube;
 constexpr const Mesh& coloured = spanline_models::two_colours;
 
-static_assert(cube.polygon_count() == 12 && cube.vertex_count() == 8, "tables are constants");
+static_assert(cube.polygon_count() == 6 && cube.triangle_count() == 12 && cube.vertex_count() == 8,
+              "tables are constants");
 
 TEST(Convert, TablesAreValidMeshes) {
   EXPECT_TRUE(validate(cube).ok()) << to_string(validate(cube).fault);
@@ -38,8 +39,9 @@ TEST(Convert, PositionsAreThoseOfTheFile) {
   }
   // The finest step whose 65,536 values span an edge of 2, both ends included.
   EXPECT_EQ(cube.step_exponent, -14);
-  // The first triangle of the file is 5 6 7.
+  // The first polygon of the file is 5 6 7 8.
   EXPECT_EQ(cube.indices[0], 0);
+  EXPECT_EQ(cube.corners[0], 4 | Mesh::planar);
   EXPECT_EQ(cube.polygon_normals[0], PackedNormal(0, 0, 511));
   EXPECT_EQ(cube.vertex_normals.size(), 8U);
   EXPECT_TRUE(cube.polygon_colours.empty());
