@@ -26,8 +26,8 @@ enum class Planarity : std::uint8_t {
 };
 
 /// Whether polygon `polygon` of a mesh may be marked with Mesh::planar; `first_index` is that of its first corner in
-/// `indices`. The mesh's other tables are valid. Lengths are measured in units: a unit is a step of the mesh, or the least power of
-/// two of steps of which no corner lies more than 2^17 along an axis from the first one.
+/// `indices`. The mesh's other tables are valid. Lengths are measured in units: a unit is a step of the mesh, or the
+/// least power of two of steps of which no corner lies more than 2^17 along an axis from the first one.
 [[nodiscard]] Planarity planarity_of(const Mesh& mesh, std::size_t polygon, std::size_t first_index);
 
 }  // namespace spanline
