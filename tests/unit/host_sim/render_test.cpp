@@ -86,11 +86,18 @@ TEST_F(RenderTest, LightAndColours) {
   // RGB565 keeps five bits of red.
   EXPECT_LE(greatest_difference(centre({"--shade", "flat", "--light", "0,0,-1", "--ambient", "0.5"}), {128, 0, 0}), 5);
   EXPECT_LE(greatest_difference(centre({"--shade", "gouraud", "--light", "0,1,1", "--ambient", "0"}), {180, 0, 0}), 8);
+  // The square is one polygon, lit as its middle is: (1 - d²/range²)² is 0.5625 there.
+  EXPECT_LE(greatest_difference(centre({"--shade", "flat", "--point-light", "0,0,1,2", "--ambient", "0"}), {143, 0, 0}),
+            8);
+  EXPECT_LE(greatest_difference(centre({"--shade", "flat", "--point-light", "0,0,1", "--ambient", "0"}), {255, 0, 0}),
+            8);
   // A triangle's middle is (1/3, -1/3, 0): N·L is 0.905 there, and (1 - d²/range²)² is 0.482.
-  EXPECT_LE(greatest_difference(centre({"--shade", "flat", "--point-light", "0,0,1,2", "--ambient", "0"}), {111, 0, 0}),
-            8);
-  EXPECT_LE(greatest_difference(centre({"--shade", "flat", "--point-light", "0,0,1", "--ambient", "0"}), {231, 0, 0}),
-            8);
+  const std::string half = make_file("b.obj", "v -1 -1 0 1 0 0\nv 1 -1 0 1 0 0\nv 1 1 0 1 0 0\nf 1 2 3\n");
+  const auto of_half = [&](const std::string& light) {
+    return render(half, with(front, {"--shade", "flat", "--point-light", light, "--ambient", "0"})).at(34, 26);
+  };
+  EXPECT_LE(greatest_difference(of_half("0,0,1,2"), {111, 0, 0}), 8);
+  EXPECT_LE(greatest_difference(of_half("0,0,1"), {231, 0, 0}), 8);
   EXPECT_EQ(centre({"--shade", "flat", "--point-light", "0,0,-1", "--ambient", "0"}), (Rgb888{0, 0, 0}));
   // The eye and the light look straight at it.
   EXPECT_EQ(centre({"--shade", "flat", "--ortho", "3", "--light", "0,0,1", "--ambient", "0", "--specular", "1"}),
