@@ -11,6 +11,7 @@
 #include "board.hpp"
 #include "measured_frame.hpp"
 #include "scenes/model_view.hpp"
+#include "scenes/room_mesh.hpp"
 #include "scenes/screen_soups.hpp"
 #include "scenes/textured_wall.hpp"
 
@@ -139,6 +140,22 @@ void wall(const char* visibility, unsigned band) {
                   });
 }
 
+/// ROOM: quads as they are, and as two triangles each (ROOMT).
+template <class Traits>
+void room(const char* visibility, unsigned band) {
+  const auto measure_room = [&](const char* name, const Mesh& mesh) {
+    measure<Traits>(name, visibility,
+                    {.vertices = 400, .textures = 400, .polygons = 200, .fans = 200, .active = 100, .awake = 100}, band,
+                    [&](auto& renderer) {
+                      (void)renderer.begin(scenes::room_settings(Angle::from_degrees(20), 240));
+                      if (!renderer.add(mesh, {}, scenes::room_material).ok())
+                        board::write("bench: a pool is full\n");
+                    });
+  };
+  measure_room("ROOM", scenes::room);
+  measure_room("ROOMT", scenes::room_of_triangles);
+}
+
 /// The cases of one algorithm, at 16 or 24 bits of depth, in bands of so many lines or in one (0): each in a
 /// translation unit of its own, which the build makes of bench_by.cpp.in. 16 bits are for those that have them by
 /// default.
@@ -158,6 +175,7 @@ void draw_cases_at(const char* visibility, unsigned band) {
   model<FlatTraits<Rgb565, Depth, Visibility>>("S4", visibility, ShadingMode::flat, band);
   model<GouraudTraits<Rgb565, Depth, Visibility>>("S5", visibility, ShadingMode::gouraud, band);
   wall<TextureTraits<Rgb565, Depth, Visibility>>(visibility, band);
+  room<TextureTraits<Rgb565, Depth, Visibility>>(visibility, band);
 }
 
 template <class Visibility, AlgorithmId Unit>
