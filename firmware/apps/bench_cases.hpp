@@ -93,8 +93,7 @@ void squares(const char* visibility, unsigned band) {
   using Traits = FlatTraits<Rgb565, Depth, Visibility>;
   const auto measure_squares = [&](const char* name, const char* name_of_triangles, std::uint32_t leg,
                                    std::uint32_t count) {
-    const scenes::ScreenSoup whole{std::span(square_vertices).first(4 * count),
-                                   std::span(square_colours).first(count)};
+    const scenes::ScreenSoup whole{std::span(square_vertices).first(4 * count), std::span(square_colours).first(count)};
     const auto corners = std::span(square_corners).first(count);
     scenes::make_squares(leg, Depth::bits, whole);
     std::fill(corners.begin(), corners.end(), static_cast<std::uint8_t>(4 | Mesh::planar));
@@ -148,8 +147,7 @@ void room(const char* visibility, unsigned band) {
                     {.vertices = 400, .textures = 400, .polygons = 200, .fans = 200, .active = 100, .awake = 100}, band,
                     [&](auto& renderer) {
                       (void)renderer.begin(scenes::room_settings(Angle::from_degrees(20), 240));
-                      if (!renderer.add(mesh, {}, scenes::room_material).ok())
-                        board::write("bench: a pool is full\n");
+                      if (!renderer.add(mesh, {}, scenes::room_material).ok()) board::write("bench: a pool is full\n");
                     });
   };
   measure_room("ROOM", scenes::room);

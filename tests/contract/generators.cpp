@@ -34,7 +34,8 @@ const std::vector<Generator>& mesh_generators() {
                                            {"terrain", terrain, 60},
                                            {"nested_spheres", nested_spheres, 60},
                                            {"crossing_tori", crossing_tori, 60},
-                                           {"clipped_soup", clipped_soup, 160}};
+                                           {"clipped_soup", clipped_soup, 160},
+                                           {"polygon_bodies", polygon_bodies, 400}};
   return list;
 }
 

@@ -58,6 +58,7 @@ inline std::ostream& operator<<(std::ostream& out, const Generator& generator) {
 [[nodiscard]] Scene nested_spheres(Random& random);
 [[nodiscard]] Scene crossing_tori(Random& random);
 [[nodiscard]] Scene clipped_soup(Random& random);
+[[nodiscard]] Scene polygon_bodies(Random& random);
 
 [[nodiscard]] Scene surfaces(Random& random);
 

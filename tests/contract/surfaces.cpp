@@ -6,6 +6,7 @@
 #include "generators.hpp"
 #include "parts.hpp"
 #include "sizes.hpp"
+#include "support/polygon_bodies.hpp"
 #include "support/random_instance.hpp"
 
 namespace spanline::contract {
@@ -74,6 +75,21 @@ void add_point_lights(Random& random, Scene& scene) {
   scene.settings.lighting.point_lights = scene.point_lights;
 }
 
+/// Coordinates that are linear over every polygon of the body.
+std::vector<TextureCoordinate> linear_coordinates(Random& random, const OwnedMesh& mesh) {
+  std::vector<TextureCoordinate> table;
+  int factors[2][3];
+  for (auto& row : factors)
+    for (int& factor : row) factor = random.between(-1, 1);
+  for (const Vertex16& v : mesh.vertices) {
+    const auto along = [&](const int(&row)[3]) {
+      return static_cast<std::int16_t>(row[0] * v.x + row[1] * v.y + row[2] * v.z);
+    };
+    table.push_back({along(factors[0]), along(factors[1])});
+  }
+  return table;
+}
+
 std::vector<TextureCoordinate> texture_coordinates(Random& random, std::size_t count) {
   std::vector<TextureCoordinate> table(count);
   for (TextureCoordinate& at : table) {
@@ -102,13 +118,18 @@ Scene surfaces(Random& random) {
   if (local) add_point_lights(random, scene);
   const int count = random.between(2, 4);
   for (int i = 0; i < count; ++i) {
-    OwnedMesh mesh = sphere(random.between(3000, 10000), random.between(3, 6), random.between(3, 8));
+    const bool of_polygons = random.chance(2);
+    OwnedMesh mesh = of_polygons
+                         ? test::prism(random.between(3, 8), random.between(2000, 8000), random.between(2000, 8000))
+                         : sphere(random.between(3000, 10000), random.between(3, 6), random.between(3, 8));
     Material material{.colour = any_colour(random), .shading = any_shading(random)};
     const int kind = random.between(0, 3);
     if (kind == 0) lay_texture(random, scene, material);
     if (kind == 1 && !local) lay_relief(random, scene, material);
     if (kind == 2) cut_from_solid(random, scene, material);
-    if (!random.chance(3)) mesh.texture_coordinates = texture_coordinates(random, mesh.vertices.size());
+    if (!random.chance(3))
+      mesh.texture_coordinates = of_polygons && !random.chance(4) ? linear_coordinates(random, mesh)
+                                                                  : texture_coordinates(random, mesh.vertices.size());
     const bool relief = material.relief.heights != nullptr;
     if (!relief && kind != 2 && random.chance(3))
       for (std::size_t v = 0; v < mesh.vertices.size(); ++v) mesh.vertex_colours.push_back(any_colour(random));
@@ -120,6 +141,7 @@ Scene surfaces(Random& random) {
       material.opacity = any_byte(random);
       material.transparency = any_of(random, Transparency::stochastic);
     }
+    if (of_polygons) test::mark_planar(mesh);
     Transform transform;
     transform.rotation = test::random_rotation(random);
     transform.translation = {any_number(random, -0.8, 0.8), any_number(random, -0.5, 0.5), any_number(random, -1, 1)};

@@ -37,8 +37,8 @@ struct FramePools {
   std::span<PixelwiseGroup> pixelwise;        ///< one for each instance, for reliefs and solids
   std::span<LocalLighting> local_lights;      ///< one for each instance, for point lights and highlights
   std::span<PolygonReference> references;     ///< the records of the polygon table
-  std::span<Link> fans;               ///< records of the polygon table (FanRecords)
-  std::span<Link> buckets;      ///< start of each band's list in the polygon table
+  std::span<Link> fans;                       ///< records of the polygon table (FanRecords)
+  std::span<Link> buckets;                    ///< start of each band's list in the polygon table
 
   /// Whether a renderer accepts these sizes, and if not, why.
   [[nodiscard]] static constexpr Status check(const Capacity& c) {

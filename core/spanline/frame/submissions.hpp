@@ -261,7 +261,7 @@ class Submissions {
         make_texture_vertices(transform, material, plan, geometry, nearness, store);
       }
     }
-    if constexpr (Set::has_ids) clip.fan_lines = FanLineMaker::for_view(view_);
+    if constexpr (Set::has_ids || Traits::statistics) clip.fan_lines = FanLineMaker::for_view(view_);
     // Sphere maps are not linear over polygons.
     if (plan.coordinates != CoordinateSource::sphere_map) keep_planar_polygons(assembly, store.shades, plan.shades);
     parts([&](const PolygonRange& range) { assembly.run(mesh, group.vertices, group.scissored, clip, range); });

@@ -30,8 +30,8 @@ class ClipPolygon {
 
   [[nodiscard]] unsigned count() const { return count_; }
   [[nodiscard]] const ClipVertex& operator[](unsigned i) const { return corner_[order_[i]]; }
-  /// Appends a corner, or leaves it out if there is no room. This cannot happen to triangles. One that rounding has made
-  /// slightly non-convex loses a sliver.
+  /// Appends a corner, or leaves it out if there is no room. This cannot happen to triangles. One that rounding has
+  /// made slightly non-convex loses a sliver.
   void append(const ClipVertex& corner);
   /// Whether a corner was left out.
   [[nodiscard]] bool overflowed() const { return overflowed_; }

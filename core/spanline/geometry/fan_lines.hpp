@@ -6,7 +6,7 @@
 namespace spanline {
 
 /// Makes the lines on which the diagonals of a polygon's fan lie on the screen, for polygons that clipping changes. It
-/// is called by a pointer, so that programs whose shaders do not tell triangles apart do not link this code.
+/// is called by a pointer, so that programs that do not tell triangles apart, for ids or statistics, do not link it.
 struct FanLineMaker {
   const FrameView* view = nullptr;
   /// The corners are those of the mesh; `clockwise` says how the polygon turns on the screen.

@@ -48,8 +48,8 @@ OutlineFate lay_plane_of_quad(const Outline& quad, Cull cull, int depth_bits, Ou
   const bool second = size(acd) > size(abc);
   area = second ? acd : abc;
   // The distance is the same number, of corner d from the plane of abc and of corner b from that of acd.
-  const std::int64_t off = std::int64_t{depth(2) - from} * abd - std::int64_t{depth_b - from} * acd -
-                           std::int64_t{depth_d - from} * abc;
+  const std::int64_t off =
+      std::int64_t{depth(2) - from} * abd - std::int64_t{depth_b - from} * acd - std::int64_t{depth_d - from} * abc;
   unsigned slack = 0;
   while (size(off) > size(area) << slack) {
     if (++slack == static_cast<unsigned>(depth_bits)) return OutlineFate::fan;
@@ -81,8 +81,10 @@ template <class Append>
 
 [[gnu::always_inline]] inline void PolygonAssembly::enter_inlined(const Outline& outline, const OutlineLayout& layout,
                                                                   Link triangle, Link polygon) {
-  enter_by(layout, FanRecords::records_of_outline(outline.count()),
-           [&]() __attribute__((always_inline)) { return table_.fans.append(outline, layout, triangle, polygon); });
+  enter_by(
+      layout, FanRecords::records_of_outline(outline.count()), [&]() __attribute__((always_inline)) {
+        return table_.fans.append(outline, layout, triangle, polygon);
+      });
 }
 
 /// As `enter`, for an outline that clipping has made, with the lines of its diagonals.

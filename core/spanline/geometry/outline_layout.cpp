@@ -12,7 +12,9 @@ std::int64_t magnitude_of(std::int64_t value) { return value < 0 ? -value : valu
 /// Finds the slack of the plane, in units of the depth. False if the plane could leave the range of depths.
 bool plane_stays_in_range(const Outline& outline, const OutlineShape& shape, int depth_bits, unsigned& slack) {
   const ScreenVertex &a = outline[0], &b = outline[shape.reference], &c = outline[shape.reference + 1];
-  const auto depth = [&](const ScreenVertex& v) { return static_cast<std::int32_t>(v.depth_word >> (32 - depth_bits)); };
+  const auto depth = [&](const ScreenVertex& v) {
+    return static_cast<std::int32_t>(v.depth_word >> (32 - depth_bits));
+  };
   const auto area = [](const ScreenVertex& p, const ScreenVertex& q, const ScreenVertex& r) {
     return signed_area<std::int64_t>(p, q, r);
   };
@@ -112,14 +114,15 @@ bool shades_are_linear(const Outline& outline, unsigned reference, const std::ui
   const auto whole = signed_area<std::int64_t>(a, b, c);
   for (unsigned i = 1; i < outline.count(); ++i) {
     if (i == reference || i == reference + 1) continue;
-    const auto share_b = signed_area<std::int64_t>(a, outline[i], c), share_c = signed_area<std::int64_t>(a, b, outline[i]);
+    const auto share_b = signed_area<std::int64_t>(a, outline[i], c),
+               share_c = signed_area<std::int64_t>(a, b, outline[i]);
     for (unsigned channel = 0; channel < vertex_shade::channels(kind); ++channel) {
       const auto value = [&](unsigned corner) {
         return std::int64_t{vertex_shade::channel_16(kind, shades[corner], channel)};
       };
       // Values are below 2^16 and areas below 2^34.
-      const std::int64_t met = value(0) * whole + (value(reference) - value(0)) * share_b +
-                               (value(reference + 1) - value(0)) * share_c;
+      const std::int64_t met =
+          value(0) * whole + (value(reference) - value(0)) * share_b + (value(reference + 1) - value(0)) * share_c;
       const std::int64_t size = magnitude_of(whole), at = whole < 0 ? -met : met;
       if (magnitude_of(at - value(i) * size) > tolerance * size) return false;
       if (at < vertex_shade::lowest_intensity * size || at > vertex_shade::highest_intensity * size) return false;

@@ -43,8 +43,8 @@ enum class OutlineFate : std::uint8_t {
 /// not leave the range of depths at any of them. Polygons lie between their corners, so it leaves the range nowhere.
 [[nodiscard]] OutlineFate lay_out(const Outline& outline, Cull cull, int depth_bits, OutlineLayout& layout);
 
-/// Whether the shades of an outline's corners are linear over it: where the plane through those of the reference triangle
-/// meets the others within a 256th of the range, and inside it. `reference` is as in OutlineShape.
+/// Whether the shades of an outline's corners are linear over it: where the plane through those of the reference
+/// triangle meets the others within a 256th of the range, and inside it. `reference` is as in OutlineShape.
 [[nodiscard]] bool shades_are_linear(const Outline& outline, unsigned reference, const std::uint32_t* shades,
                                      vertex_shade::Kind kind);
 
@@ -96,8 +96,9 @@ struct Box {
   layout.top = box.top_corner;
   layout.first_row = row_at(box.top);
   layout.end_row = row_at(box.bottom);
-  layout.origin = size == ActiveTriangle::Size::small ? small_triangle::origin_of(top_x) + row_bias
-                                                      : medium_triangle::origin_of(box.left);
+  layout.origin = 0;
+  if (size == ActiveTriangle::Size::small) layout.origin = small_triangle::origin_of(top_x) + row_bias;
+  if (size == ActiveTriangle::Size::medium) layout.origin = medium_triangle::origin_of(box.left);
 }
 
 }  // namespace outline_layout

@@ -49,14 +49,13 @@ struct PolygonAssembly::ClippedPolygon {
     store.vertices[number[i]] = screen[i];
     if (!store.shades.empty()) store.shades[number[i]] = piece[i].shade;
     if (!store.textures.empty())
-      store.textures[number[i]] =
-          clip.textures.make(*clip.textures.nearness, piece[i].point.z, piece[i].s, piece[i].t);
+      store.textures[number[i]] = clip.textures.make(*clip.textures.nearness, piece[i].point.z, piece[i].s, piece[i].t);
     if (!store.thirds.empty()) store.thirds[number[i]] = piece[i].r;
   }
 };
 
-[[gnu::noinline]] void PolygonAssembly::clip_triangle(const Mesh& mesh, const ClipContext& clip,
-                                                      const Outline& corners, Link triangle, Link polygon) {
+[[gnu::noinline]] void PolygonAssembly::clip_triangle(const Mesh& mesh, const ClipContext& clip, const Outline& corners,
+                                                      Link triangle, Link polygon) {
   ClippedPolygon clipped;
   if (!clipped.clip(mesh, clip, corners)) {
     ++counts.outside;

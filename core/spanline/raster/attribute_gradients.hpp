@@ -12,8 +12,8 @@
 
 namespace spanline {
 
-/// Computes linear functions of attributes for a triangle that has just been set up, or for the reference triangle of an
-/// outline, with the set-up of small triangles where size and slope allow it and the wide set-up otherwise. Only
+/// Computes linear functions of attributes for a triangle that has just been set up, or for the reference triangle of
+/// an outline, with the set-up of small triangles where size and slope allow it and the wide set-up otherwise. Only
 /// `set_up` and `set_up_outline` make objects of this class.
 class AttributeGradients {
  public:

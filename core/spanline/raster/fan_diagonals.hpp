@@ -32,8 +32,7 @@ struct FanDiagonals {
       // reverse: dx·(16y + 8 − y0) − dy·(16x + 8 − x0). Its slopes are multiples of 16, so the rest may be rounded
       // down.
       const std::int32_t sign = clockwise ? 1 : -1;
-      const std::int32_t dx = sign * (outline[i].x_sixteenths() - x0),
-                         dy = sign * (outline[i].y_sixteenths() - y0);
+      const std::int32_t dx = sign * (outline[i].x_sixteenths() - x0), dy = sign * (outline[i].y_sixteenths() - y0);
       const bool keeps_its_pixels = dy < 0 || (dy == 0 && dx > 0);
       const std::int64_t rest = std::int64_t{dx} * (8 - y0) - std::int64_t{dy} * (8 - x0) - (keeps_its_pixels ? 0 : 1);
       diagonal[count++] = {-dy, dx, static_cast<std::int32_t>(rest >> 4)};
@@ -46,8 +45,8 @@ struct FanDiagonals {
     for (unsigned i = 0; i < count; ++i) number += diagonal[i].holds(column, row) ? 1U : 0U;
     return number;
   }
-  /// Calls use(number, columns) for each triangle of the fan that has some of an outline's columns on a row. The columns
-  /// lie in the picture.
+  /// Calls use(number, columns) for each triangle of the fan that has some of an outline's columns on a row. The
+  /// columns lie in the picture.
   template <class Use>
   void for_each_part(RowColumns columns, std::int32_t row, Use use) const {
     for (unsigned i = 0; i <= count; ++i) {

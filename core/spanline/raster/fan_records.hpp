@@ -41,9 +41,7 @@ class FanRecords {
   void clear() { used_ = 0; }
   /// Records in use.
   [[nodiscard]] Link used() const { return used_; }
-  [[nodiscard]] bool has_room(unsigned records) const {
-    return capacity_ >= used_ + records;
-  }
+  [[nodiscard]] bool has_room(unsigned records) const { return capacity_ >= used_ + records; }
 
   /// Appends a triangle, for which there is room. Output: the number of its record.
   Link append(const FanTriangle& fan) {

@@ -45,7 +45,7 @@ struct OutlineLayout {
   unsigned top;               ///< the first of its topmost corners
   unsigned slack;             ///< the plane word differs from corners' depth words by at most 2^slack; below 31
   std::int32_t first_row, end_row;  ///< its rows [first_row, end_row), biased; not cut to the viewport
-  std::int32_t origin;              ///< biased column where the columns of edges are 0
+  std::int32_t origin;              ///< biased column where the columns of edges are 0; 0 if they are large
 };
 
 }  // namespace spanline

@@ -53,8 +53,8 @@ struct OutlineSides {
 /// Places the edges of an outline that is not small.
 void place_wide_edges(const OutlineSides& sides, const PlacedOutline& outline, ActiveTriangle& active);
 
-/// An edge of a small outline on `row`. It is stepped down from its own first row, so that its column there is that of a
-/// triangle's edge.
+/// An edge of a small outline on `row`. It is stepped down from its own first row, so that its column there is that of
+/// a triangle's edge.
 [[nodiscard, gnu::always_inline]] inline FixedEdge small_outline_edge(const OutlineSide& side, std::int32_t origin,
                                                                       std::int32_t row) {
   FixedEdge edge = small_triangle::edge_from(small_triangle::start_of_edge(side.upper->x - 16 * origin), side.dx(),
@@ -83,8 +83,9 @@ void place_wide_edges(const OutlineSides& sides, const PlacedOutline& outline, A
 /// The same, as a call.
 void place_outline_edges(const PlacedOutline& outline, ActiveTriangle& active);
 
-/// Sets up the edges of a convex outline on the biased rows [first, end), which are some of its own, with the words that
-/// the edges of triangles have: each run begins and ends at the pixels of the top-left rule. `depth` is left alone.
+/// Sets up the edges of a convex outline on the biased rows [first, end), which are some of its own, with the words
+/// that the edges of triangles have: each run begins and ends at the pixels of the top-left rule. `depth` is left
+/// alone.
 [[gnu::always_inline]] inline void set_up_rows(const PlacedOutline& outline, std::int32_t first, std::int32_t end,
                                                ActiveTriangle& active) {
   const ActiveTriangle::Size size = outline.header.size();

@@ -4,9 +4,9 @@
 #include <limits>
 #include <span>
 
+#include "spanline/raster/fan_records.hpp"
 #include "spanline/raster/half_plane.hpp"
 #include "spanline/raster/link.hpp"
-#include "spanline/raster/fan_records.hpp"
 #include "spanline/raster/outline.hpp"
 #include "spanline/raster/outline_header.hpp"
 #include "spanline/raster/polygon_corners.hpp"

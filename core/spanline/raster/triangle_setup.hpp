@@ -89,7 +89,8 @@ template <class Depth>
     const std::int32_t first = row_at(t.ay);
     LinearFunction depth;
     if (fit_small_depth<Depth>(clockwise, area, 16 * first + 8 - t.ay, depth)) {
-      depth.at_origin += depth.dx * word(active.origin - small_triangle::origin_of(t)) + depth.dy * word(active.row - first);
+      depth.at_origin +=
+          depth.dx * word(active.origin - small_triangle::origin_of(t)) + depth.dy * word(active.row - first);
       active.depth = Depth::smaller ? depth : depth.complemented();
       return;
     }
@@ -110,8 +111,8 @@ template <class Depth>
 }
 
 /// Activates an outline on its first row inside the viewport, as `set_up` does a triangle. Plane and attributes are
-/// those of its reference triangle, whose corners are `corners`. `make_surface` is called with a function that makes the
-/// attribute gradients.
+/// those of its reference triangle, whose corners are `corners`. `make_surface` is called with a function that makes
+/// the attribute gradients.
 template <class Depth, class MakeSurface>
 [[nodiscard, gnu::always_inline]] inline bool set_up_outline(const PolygonEntry& entry, const PolygonCorners& corners,
                                                              const Viewport& viewport, ActiveTriangle& active,

@@ -9,8 +9,9 @@
 namespace spanline {
 
 /// The plane equation of an entry of the polygon table, whose corners these are. `outline` says whether it is one.
-[[nodiscard, gnu::always_inline]] inline PlaneEquation plane_equation_of(const PolygonEntry& entry, const PolygonCorners& corners,
-                                                     bool outline, Viewport viewport) {
+[[nodiscard, gnu::always_inline]] inline PlaneEquation plane_equation_of(const PolygonEntry& entry,
+                                                                         const PolygonCorners& corners, bool outline,
+                                                                         Viewport viewport) {
   const auto [a, b, c] = corners.corner;
   PlaneEquation plane(a, b, c, entry.group.vertices, viewport);
   if (outline) [[unlikely]] {
@@ -30,8 +31,7 @@ template <class Shader, class ShadingGroup>
   } else {
     Shader::make(surface, group, corners);
     if constexpr (DividesOutlines<Shader>) {
-      if (outline)
-        Shader::divide(surface, FanDiagonals(entry.outline()), 0, 0);
+      if (outline) Shader::divide(surface, FanDiagonals(entry.outline()), 0, 0);
     }
   }
 }

@@ -106,8 +106,8 @@ std::int32_t take_edges(AwakePolygon& polygon, const ActiveTriangle& active, std
   return take_edges(polygon, active, source.viewport.width);
 }
 
-// The two functions below are `turn` for what is rarer than small and medium triangles. They end it, so that it needs no
-// registers of its own.
+// The two functions below are `turn` for what is rarer than small and medium triangles. They end it, so that it needs
+// no registers of its own.
 
 /// Places the next edges of an outline on `row`.
 [[gnu::noinline]] bool turn_outline(AwakePolygon& polygon, const PolygonSource& source, std::int32_t row) {

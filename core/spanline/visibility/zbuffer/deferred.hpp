@@ -144,7 +144,8 @@ class DeferredDepthBuffer {
     kept.shader = shading[number].shader;
     Shaders::with(kept.shader, [&]<class Shader>() {
       auto* surface = new (kept.surface.bytes) typename Shader::Surface;
-      make_screen_surface<Shader>(*surface, shading[number], {table, group, polygon}, table.is_outline(polygon), viewport);
+      make_screen_surface<Shader>(*surface, shading[number], {table, group, polygon}, table.is_outline(polygon),
+                                  viewport);
     });
   }
 

@@ -245,17 +245,15 @@ class DepthBuffer {
     const PolygonCorners corners = entry.corners();
     Shaders::with(job.shader(), [&]<class Shader>() {
       typename Shader::Surface surface;
-      const bool drawn =
-          set_up_outline<Depth>(entry, corners, job.viewport, job.triangle, [&](auto gradients) {
-            if constexpr (Shader::interpolates)
-              make_surface<Shader>(surface, *job.shading, corners, gradients());
-            else
-              Shader::make(surface, *job.shading, corners);
-          });
+      const bool drawn = set_up_outline<Depth>(entry, corners, job.viewport, job.triangle, [&](auto gradients) {
+        if constexpr (Shader::interpolates)
+          make_surface<Shader>(surface, *job.shading, corners, gradients());
+        else
+          Shader::make(surface, *job.shading, corners);
+      });
       if (!drawn) return;
       if constexpr (DividesOutlines<Shader>)
-        Shader::divide(surface, FanDiagonals(entry.outline()), job.triangle.origin,
-                       job.triangle.row - row_bias);
+        Shader::divide(surface, FanDiagonals(entry.outline()), job.triangle.origin, job.triangle.row - row_bias);
       if constexpr (requires { surface.item; }) surface.item = polygon;
       if constexpr (Counting && Drawn)
         tell_covered(entry, job.viewport, job.triangle.row, job.shading->first_id + corners.triangle, covered);

@@ -208,7 +208,8 @@ void give_depths(Random& random, int bits, OwnedOutline& outline) {
   const double start = random.real(-0.1, 1.1) * (1 << bits);
   const int noise = random.between(0, 3) == 0 ? 1 << random.between(0, bits - 4) : 0;
   for (std::size_t i = 0; i < outline.vertices.size(); ++i) {
-    const double z = start + outline.corners[i].x / 16.0 * dx + outline.corners[i].y / 16.0 * dy + random.between(-noise, noise);
+    const double z =
+        start + outline.corners[i].x / 16.0 * dx + outline.corners[i].y / 16.0 * dy + random.between(-noise, noise);
     const auto depth = static_cast<std::uint32_t>(std::clamp(z, 0.0, (1 << bits) - 2.0));
     outline.vertices[i].depth_word = depth << (32 - bits) | (outline.vertices[i].depth_word & 0xff);
   }
@@ -270,8 +271,7 @@ TEST(Outlines, OfFourCornersAreLaidOutAsOthersAre) {
     const int bits = random.between(0, 1) == 0 ? 16 : 24;
     give_depths(random, bits, owned);
     const Outline outline = owned.view();
-    const bool leaves =
-        std::ranges::any_of(owned.vertices, [](const ScreenVertex& v) { return v.outcode() != 0; });
+    const bool leaves = std::ranges::any_of(owned.vertices, [](const ScreenVertex& v) { return v.outcode() != 0; });
     if (outline.count() != 4 || leaves) continue;
     const Cull cull = static_cast<Cull>(random.between(0, 2));
     OutlineLayout layout{}, wanted{};
