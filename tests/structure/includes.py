@@ -27,10 +27,11 @@ RULES = {
     CORE + "world": [CORE + "memory", CORE + "math", CORE + "model", CORE + "raster"],
     CORE + "geometry": [CORE + "memory", CORE + "math", CORE + "model", CORE + "raster", CORE + "cpu"],
     CORE + "visibility": [CORE + "memory", CORE + "math", CORE + "raster", CORE + "pixel", CORE + "cpu", CORE + "world"],
-    # Shaders fill linear functions of (x, y) and read the words that a vertex carries: raster lends them both beside the waist.
+    # Shaders fill linear functions of (x, y), read the words that a vertex carries, and tell the triangles of a polygon's fan
+    # apart for ids: raster lends all three beside the waist.
     CORE + "shade": [*WAIST, CORE + "raster/linear_function.hpp", CORE + "raster/vertex_shade.hpp",
-                     CORE + "raster/texture_vertex.hpp", CORE + "raster/make_surface.hpp", CORE + "math", CORE + "model", CORE + "pixel",
-                     CORE + "cpu"],
+                     CORE + "raster/texture_vertex.hpp", CORE + "raster/make_surface.hpp", CORE + "raster/fan_diagonals.hpp", CORE + "math",
+                     CORE + "model", CORE + "pixel", CORE + "cpu"],
     CORE + "finish": [CORE + "math", CORE + "model", CORE + "pixel"],
     CORE + "frame": CORE_ROOMS,
     "hal": [],

@@ -190,6 +190,50 @@ TEST(Refusals, TrianglesOnScreenAreFlatWhateverTheMaterialAsks) {
   EXPECT_EQ(studio.renderer().add_screen(corners, colours, glass()), Status(MissingShader::see_through));
 }
 
+TEST(Refusals, CornerCountsThatAreNotThoseOfTheVertices) {
+  Capacity room = screen_capacity(32, 32, 8);
+  room.fans = 8;
+  Studio<FlatTraits<>> studio(room);
+  Renderer<FlatTraits<>>& renderer = studio.renderer();
+  // The corners of a square, so often that wrong counts, too, name vertices that exist.
+  constexpr std::array<std::array<std::int32_t, 2>, 4> square{{{16, 16}, {400, 16}, {400, 400}, {16, 400}}};
+  std::array<ScreenVertex, 12> vertices;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    vertices[i] = ScreenVertex::make(square[i % 4][0], square[i % 4][1], 30000, 16);
+  const std::array<std::uint16_t, 4> colours{0xf800, 0x07e0, 0x001f, 0xffff};
+  const auto add = [&](std::span<const std::uint8_t> corners, std::size_t count) {
+    return renderer.add_screen(std::span<const ScreenVertex>(vertices).first(count), corners, colours, {});
+  };
+  const auto number_of_pixels = [](const auto& picture, std::uint16_t colour) {
+    return std::ranges::count(picture.pixels, colour);
+  };
+  constexpr std::uint8_t mark = Mesh::planar;
+  FrameSettings settings = wall::settings();
+  settings.cull = Cull::none;
+
+  studio.begin(settings);
+  for (const std::array<std::uint8_t, 2> wrong :
+       {std::array<std::uint8_t, 2>{4, 2}, {4, 9}, {0, 4}, {4, mark}, {4, mark | 2}, {mark | 9, 3}, {4, 127}}) {
+    const std::size_t sum = (wrong[0] & 127u) + (wrong[1] & 127u);
+    EXPECT_EQ(add(wrong, std::min(sum, vertices.size())), Status(Fault::bad_corners))
+        << int{wrong[0]} << ", " << int{wrong[1]};
+  }
+  constexpr std::array<std::uint8_t, 2> two{4 | mark, 4};
+  for (const std::size_t count : {0U, 7U, 9U, 12U})
+    EXPECT_EQ(add(two, count), Status(Fault::bad_corners)) << count << " vertices";
+  EXPECT_EQ(add({}, 4), Status(Fault::bad_corners)) << "no counts";
+  EXPECT_TRUE(add({}, 0).ok()) << "no polygons";
+  const auto empty = studio.draw();
+  EXPECT_EQ(number_of_pixels(empty, Rgb565::from(settings.background)), 32 * 32) << "something was added";
+
+  studio.begin(settings);
+  EXPECT_EQ(add(two, 9), Status(Fault::bad_corners));
+  EXPECT_TRUE(add(two, 8).ok()) << "the frame goes on";
+  const auto picture = studio.draw();
+  EXPECT_TRUE(studio.drawn().ok());
+  EXPECT_EQ(number_of_pixels(picture, 0xf800), 24 * 24) << "the first square, in front of its equal";
+}
+
 TEST(Refusals, MoreThanFourLightsOfAKind) {
   std::vector<std::byte> memory(Renderer<LocalLightTraits<>>::bytes_needed(capacity));
   Renderer<LocalLightTraits<>> renderer(capacity, memory);
@@ -216,6 +260,7 @@ TEST(Refusals, NothingIsAddedOrDrawnBeforeBegin) {
   Picked<Depth16<>> picked;
   EXPECT_EQ(renderer.add(wall::mesh, {}, {}).fault, Fault::no_frame);
   EXPECT_EQ(renderer.add_screen({}, {}).fault, Fault::no_frame);
+  EXPECT_EQ(renderer.add_screen({}, std::span<const std::uint8_t>{}, {}, {}).fault, Fault::no_frame);
   EXPECT_EQ(renderer.draw(sink).fault, Fault::no_frame);
   EXPECT_EQ(renderer.draw_even(sink).fault, Fault::no_frame);
   EXPECT_EQ(partner.take_frame().fault, Fault::no_frame);
