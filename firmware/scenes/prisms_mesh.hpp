@@ -98,4 +98,16 @@ inline constexpr Mesh prisms{.vertices = prisms_tables.vertices,
                              .step_exponent = -12,
                              .bounds = {{}, 6200}};
 
+/// The same, marked as planar.
+inline constexpr auto planar_prisms_corners = [] {
+  auto corners = prisms_tables.corners;
+  for (std::uint8_t& count : corners) count |= Mesh::planar;
+  return corners;
+}();
+inline constexpr Mesh planar_prisms = [] {
+  Mesh mesh = prisms;
+  mesh.corners = planar_prisms_corners;
+  return mesh;
+}();
+
 }  // namespace spanline::scenes

@@ -7,6 +7,7 @@
 #include "scenes/model_view.hpp"
 #include "scenes/prisms_mesh.hpp"
 #include "scenes/random_soups.hpp"
+#include "scenes/room_mesh.hpp"
 #include "scenes/surface_meshes.hpp"
 #include "scenes/terrain_mesh.hpp"
 #include "scenes/textured_wall.hpp"
@@ -148,6 +149,25 @@ inline void build_terrain(const SelftestRequest& request, SelftestContent& conte
 inline void build_prisms(const SelftestRequest& request, SelftestContent& content) {
   look(request, content);
   content.add(prisms, tilted(50), {});
+}
+
+/// Polygons that are one entry each, the eye so near that planes clip them.
+template <ShadingMode Mode>
+void build_planar_prisms(const SelftestRequest& request, SelftestContent& content) {
+  look(request, content);
+  content.settings.camera.look_at({0.75_q16, 0.25_q16, 1.25_q16}, {-0.5_q16, -0.25_q16, -0.75_q16}, {{}, 1.0_q30, {}});
+  content.settings.camera.focal = Q16_16::from_ratio(request.height, 2);
+  content.settings.camera.near_plane = Q16_16::from_ratio(1, 16);
+  content.add(planar_prisms, tilted(10), {});
+  Transform behind = tilted(70);
+  behind.translation.z = -1.0_q16;
+  content.add(planar_prisms, behind, {{}, Mode});
+}
+
+/// A textured room of quads that are one entry each, seen from within.
+inline void build_room(const SelftestRequest& request, SelftestContent& content) {
+  content.settings = room_settings(Angle::from_degrees(70), request.height);
+  content.add(room, {}, room_material);
 }
 
 template <ShadingMode Mode>
