@@ -26,11 +26,14 @@ struct Capacity {
   std::uint32_t vertices = 0;     ///< vertices of all instances in view, and those that clipping adds
   std::uint32_t shades = 0;       ///< vertices of instances with Gouraud shading, and those that clipping adds
   std::uint32_t textures = 0;     ///< vertices of textured instances, and those that clipping adds
-  std::uint32_t polygons = 0;     ///< triangles in view that are not culled
-  std::uint32_t fans = 0;         ///< polygons among these that are pieces of clipped triangles or of larger polygons
-  std::uint32_t active = 0;       ///< z-buffers: polygons that reach across a band's lower edge; 0 for a single band
-  std::uint32_t awake = 0;  ///< `span`: polygons that are awake on the same row; on 32-bit cores the limit is 287 to
-                            ///< 744, which depends on the list of shaders (docs/visibility.md; Renderer::takes)
+  std::uint32_t polygons = 0;     ///< triangles and whole planar polygons in view that are not culled
+  /// Records: one for each of these triangles that is a piece of a clipped triangle or of a larger polygon, 2 for each
+  /// polygon drawn whole with up to five corners, 3 with up to eight. Where a renderer counts or draws ids, one that is
+  /// clipped takes up to 9. So an unclipped polygon never takes more than its fan would.
+  std::uint32_t fans = 0;
+  std::uint32_t active = 0;  ///< z-buffers: polygons that reach across a band's lower edge; 0 for a single band
+  std::uint32_t awake = 0;   ///< `span`: polygons that are awake on the same row; on 32-bit cores the limit is 287 to
+                             ///< 744, which depends on the list of shaders (docs/visibility.md; Renderer::takes)
   std::uint32_t fragments = 0;  ///< z-buffers with see-through shaders: blended fragments of one band
   std::uint32_t layers = 0;  ///< `span` with see-through shaders: see-through polygons that are awake on the same row
 

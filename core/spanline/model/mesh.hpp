@@ -72,11 +72,13 @@ struct BoundingSphere {
 /// A mesh as views over read-only tables, usually in flash. It owns nothing; `validate()` checks it once at load.
 ///
 /// Polygons are triangles, or planar convex polygons of 3 … 8 corners, counter-clockwise when seen from the front.
-/// A polygon of n corners is the fan of triangles (0,1,2), (0,2,3) …, which are numbered in that order.
+/// A polygon of n corners stands for the fan of triangles (0,1,2), (0,2,3) …, which are numbered in that order. It is
+/// drawn as that fan, or whole where it is marked as planar and fit for it (docs/conventions.md).
 struct Mesh {
   static constexpr unsigned max_corners = 8;  ///< of a polygon
   /// Mark of a polygon in `corners` whose corners lie within half a unit of one plane, with texture coordinates,
-  /// colours and opacities that are linear over it. `validate()` holds it against the tables (model/planarity.hpp).
+  /// colours and opacities that are linear over it. `validate()` holds it against the tables (model/planarity.hpp). A
+  /// marked polygon of more than three corners is one entry of the polygon table.
   static constexpr std::uint8_t planar = 0x80;
   static constexpr std::size_t max_vertices = 65535;  ///< in the table
   static constexpr std::size_t max_polygons = 32767;  ///< in the table

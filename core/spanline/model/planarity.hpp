@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// Whether a polygon may be marked as planar. A marked polygon can be drawn with one plane and one surface; the
-/// renderer still draws its fan of triangles.
+/// Whether a polygon may be marked as planar. The renderer draws a marked polygon as one entry, with one plane and one
+/// surface, where its fan would be an entry for each triangle (docs/conventions.md).
 ///
 /// ```cpp
 /// constexpr Vertex16 corners[] = {{0, 0, 0}, {256, 0, 0}, {256, 256, 0}, {0, 256, 0}};
