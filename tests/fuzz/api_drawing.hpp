@@ -117,7 +117,10 @@ class Drawing {
     if (!frame_.without_begin) note(renderer.begin(frame_.settings));
     if (frame_.too_many_triangles)
       note(renderer.add_screen({frame_.screen_vertices.data(), std::size_t{3} * fan_flag}, frame_.screen_colours));
-    if (!frame_.screen_vertices.empty())
+    if (!frame_.screen_corners.empty())
+      note(renderer.add_screen(frame_.screen_vertices, frame_.screen_corners, frame_.screen_colours,
+                               frame_.screen_material));
+    else if (!frame_.screen_vertices.empty())
       note(renderer.add_screen(frame_.screen_vertices, frame_.screen_colours, frame_.screen_material));
     if (frame_.in_order) {
       std::vector<OrderedInstance> instances;

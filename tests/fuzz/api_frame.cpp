@@ -292,17 +292,63 @@ void set_order(ByteReader& reader, ApiFrame& frame) {
   }
 }
 
-void add_screen_triangles(ByteReader& reader, ApiFrame& frame) {
-  std::vector<contract::Corners> triangles(static_cast<std::size_t>(reader.byte() % 12));
-  for (contract::Corners& t : triangles)
-    for (contract::Corner& c : t) {
-      const int shift = reader.byte() % 8;
-      const int x = reader.half_word() >> shift, y = reader.half_word() >> shift;
-      c = contract::corner_near(x, y, reader.full_word() & 0xffffff);
-    }
-  frame.screen_vertices = test::vertices_of(triangles, 24, frame.capacity.width, frame.capacity.height);
-  for (std::size_t i = 0; i < triangles.size(); ++i)
+contract::Corner any_corner(ByteReader& reader) {
+  const int shift = reader.byte() % 8;
+  const int x = reader.half_word() >> shift, y = reader.half_word() >> shift;
+  return contract::corner_near(x, y, reader.full_word() & 0xffffff);
+}
+
+/// A convex polygon about any point, mostly of the picture, whose corners lie in one plane or near it, unless the guard
+/// band or the range of depths cuts one off.
+void append_flat_polygon(ByteReader& reader, const Capacity& picture, int count,
+                         std::vector<contract::Corner>& corners) {
+  static constexpr std::array<std::array<int, 2>, Mesh::max_corners> octagon{
+      {{10, 4}, {4, 10}, {-4, 10}, {-10, 4}, {-10, -4}, {-4, -10}, {4, -10}, {10, -4}}};
+  contract::Corner middle = any_corner(reader);
+  if (!reader.chance(4)) {
+    middle.x = reader.between(0, picture.width * 16);
+    middle.y = reader.between(0, picture.height * 16);
+  }
+  const int size = reader.between(1, 200), across = reader.half_word() / 4, down = reader.half_word() / 4;
+  const int off = reader.byte() % 64;
+  const bool backwards = reader.chance(2);
+  const int first = reader.byte() % 8;
+  for (int i = 0; i < count; ++i) {
+    const auto& [x, y] = octagon[static_cast<std::size_t>(first + (backwards ? count - 1 - i : i)) % octagon.size()];
+    const std::int64_t depth = middle.z + std::int64_t{x} * across + std::int64_t{y} * down + (i == 0 ? off : 0);
+    corners.push_back(contract::corner_near(middle.x + x * size, middle.y + y * size, depth));
+  }
+}
+
+/// Counts that are not those of the corners.
+void spoil_corners(ByteReader& reader, std::vector<std::uint8_t>& counts) {
+  if (reader.chance(2))
+    counts.push_back(any_byte(reader));
+  else
+    counts.front() = any_byte(reader);
+}
+
+/// Triangles, or polygons with their corner counts.
+void add_screen_polygons(ByteReader& reader, ApiFrame& frame) {
+  const auto polygons = static_cast<std::size_t>(reader.byte() % 12);
+  const bool counted = reader.chance(2);
+  std::vector<contract::Corner> corners;
+  for (std::size_t i = 0; i < polygons; ++i) {
+    const int count = counted ? reader.between(3, Mesh::max_corners) : 3;
+    if (counted && !reader.chance(3))
+      append_flat_polygon(reader, frame.capacity, count, corners);
+    else
+      for (int c = 0; c < count; ++c) corners.push_back(any_corner(reader));
+    if (counted)
+      frame.screen_corners.push_back(static_cast<std::uint8_t>(count | (reader.chance(4) ? 0 : Mesh::planar)));
     frame.screen_colours.push_back(static_cast<std::uint16_t>(reader.half_word()));
+  }
+  for (const contract::Corner& corner : corners)
+    frame.screen_vertices.push_back(test::vertex_of(corner, 24, frame.capacity.width, frame.capacity.height));
+  if (!frame.screen_corners.empty() && reader.chance(8)) {
+    spoil_corners(reader, frame.screen_corners);
+    frame.screen_colours.push_back(0);
+  }
   if (reader.chance(2)) {
     frame.screen_material.opacity = any_byte(reader);
     frame.screen_material.transparency = any_of(reader, Transparency::stochastic);
@@ -326,7 +372,7 @@ ApiFrame decode_frame(std::span<const std::uint8_t> bytes) {
   frame.picked_row = static_cast<std::uint16_t>(reader.between(0, frame.capacity.height * 9 / 8));
   frame.misaligned = static_cast<unsigned>(reader.byte() % 8);
   set_settings(reader, frame);
-  if (reader.chance(3)) add_screen_triangles(reader, frame);
+  if (reader.chance(3)) add_screen_polygons(reader, frame);
   ByteReader order = reader;  // the bytes of the parts once more, which leave none
   while (!reader.empty() && frame.parts.size() < most_parts) add_part(reader, frame);
   if (frame.in_order) set_order(order, frame);

@@ -35,7 +35,8 @@ struct ApiFrame {
   bool in_order = false;          ///< the parts are added by `order`, not one by one
   std::vector<Submission> order;  ///< some of them name parts, or polygons, that do not exist
 
-  std::vector<ScreenVertex> screen_vertices;  ///< of triangles given on screen
+  std::vector<ScreenVertex> screen_vertices;  ///< of triangles or polygons given on screen
+  std::vector<std::uint8_t> screen_corners;   ///< of each polygon, not always right; empty: they are triangles
   std::vector<std::uint16_t> screen_colours;
   Material screen_material;
 

@@ -32,7 +32,7 @@ std::string kind_of(Status status) {
 /// One status of each kind.
 Statuses every_kind() {
   Statuses all;
-  for (int i = 0; i <= static_cast<int>(Fault::bad_order); ++i) {
+  for (int i = 0; i <= static_cast<int>(Fault::bad_corners); ++i) {
     const auto fault = static_cast<Fault>(i);
     if (fault != Fault::pool_full && fault != Fault::shader_missing) all.emplace_back(fault);
   }
