@@ -47,6 +47,17 @@ void fit_wide_outline_depth(Triangle t, Viewport viewport, int depth_bits, Activ
   fit_wide_depth(t, area, viewport, depth_bits, active);
 }
 
+AttributeGradients outline_gradients(const PolygonCorners& corners, const ActiveTriangle& active,
+                                     const ScreenVertex* first_vertex, const Viewport& viewport) {
+  Triangle t = Triangle::from(corners.corner[0], corners.corner[1], corners.corner[2]);
+  std::int64_t area = t.wide_doubled_area();
+  if (area < 0) {
+    t.flip();
+    area = -area;
+  }
+  return {t, area, active, first_vertex, viewport};
+}
+
 bool set_up_large(Triangle& t, bool scissored, Viewport viewport, int depth_bits, ActiveTriangle& active,
                   std::int64_t& area) {
   area = t.wide_doubled_area();

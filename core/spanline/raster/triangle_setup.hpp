@@ -74,11 +74,19 @@ template <class Depth, class MakeSurface>
   return true;
 }
 
-/// Computes the depth function of an outline by its reference triangle, for its current row. The words are those of
-/// PlaneEquation.
+/// The attribute gradients of an outline that has been set up, by its reference triangle, whose corners are `corners`.
+[[nodiscard]] AttributeGradients outline_gradients(const PolygonCorners& corners, const ActiveTriangle& active,
+                                                   const ScreenVertex* first_vertex, const Viewport& viewport);
+
+/// Activates an outline on its first row inside the viewport, as `set_up` does a triangle: its edges, and the plane of
+/// its reference triangle with the words of PlaneEquation. False if there is nothing to draw. One function for all
+/// shaders, which make their surfaces from `outline_gradients`.
 template <class Depth>
-[[gnu::always_inline]] inline void fit_outline_depth(const Triangle& t, const Viewport& viewport,
-                                                     ActiveTriangle& active) {
+[[nodiscard, gnu::noinline]] bool set_up_outline(const PolygonEntry& entry, const Viewport& viewport,
+                                                 ActiveTriangle& active) {
+  if (!set_up_outline(entry.outline(), viewport, active)) return false;
+  const PolygonCorners corners = entry.corners();
+  const Triangle t = Triangle::from(corners.corner[0], corners.corner[1], corners.corner[2]);
   std::int32_t area = 0;
   if (active.flags.size() == ActiveTriangle::Size::small && is_small(t, area)) {
     Triangle clockwise = t;
@@ -92,37 +100,11 @@ template <class Depth>
       depth.at_origin +=
           depth.dx * word(active.origin - small_triangle::origin_of(t)) + depth.dy * word(active.row - first);
       active.depth = Depth::smaller ? depth : depth.complemented();
-      return;
+      return true;
     }
   }
   fit_wide_outline_depth(t, viewport, Depth::bits, active);
   if constexpr (!Depth::smaller) active.depth = active.depth.complemented();
-}
-
-/// The attribute gradients of an outline that has been set up, by its reference triangle.
-[[nodiscard]] inline AttributeGradients outline_gradients(Triangle t, const ActiveTriangle& active,
-                                                          const ScreenVertex* first_vertex, const Viewport& viewport) {
-  std::int64_t area = t.wide_doubled_area();
-  if (area < 0) {
-    t.flip();
-    area = -area;
-  }
-  return {t, area, active, first_vertex, viewport};
-}
-
-/// Activates an outline on its first row inside the viewport, as `set_up` does a triangle. Plane and attributes are
-/// those of its reference triangle, whose corners are `corners`. `make_surface` is called with a function that makes
-/// the attribute gradients.
-template <class Depth, class MakeSurface>
-[[nodiscard, gnu::always_inline]] inline bool set_up_outline(const PolygonEntry& entry, const PolygonCorners& corners,
-                                                             const Viewport& viewport, ActiveTriangle& active,
-                                                             MakeSurface make_surface) {
-  const PlacedOutline outline = entry.outline();
-  if (!set_up_outline(outline, viewport, active)) return false;
-  const auto [a, b, c] = corners.corner;
-  Triangle t = Triangle::from(a, b, c);
-  fit_outline_depth<Depth>(t, viewport, active);
-  make_surface([&] { return outline_gradients(t, active, entry.group.vertices, viewport); });
   return true;
 }
 

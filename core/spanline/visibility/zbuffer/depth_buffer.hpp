@@ -242,24 +242,28 @@ class DepthBuffer {
   template <bool Drawn, class ShadingGroup, class Covered>
   [[gnu::noinline]] void begin_outline(Job<ShadingGroup>& job, Link polygon, Link*& link, Covered& covered) {
     const PolygonEntry entry{job.table, *job.group, polygon};
-    const PolygonCorners corners = entry.corners();
+    if (!set_up_outline<Depth>(entry, job.viewport, job.triangle)) return;
+    if constexpr (Counting && Drawn)
+      tell_covered(entry, job.viewport, job.triangle.row, job.shading->first_id + entry.corners().triangle, covered);
     Shaders::with(job.shader(), [&]<class Shader>() {
       typename Shader::Surface surface;
-      const bool drawn = set_up_outline<Depth>(entry, corners, job.viewport, job.triangle, [&](auto gradients) {
-        if constexpr (Shader::interpolates)
-          make_surface<Shader>(surface, *job.shading, corners, gradients());
-        else
-          Shader::make(surface, *job.shading, corners);
-      });
-      if (!drawn) return;
-      if constexpr (DividesOutlines<Shader>)
-        Shader::divide(surface, FanDiagonals(entry.outline()), job.triangle.origin, job.triangle.row - row_bias);
+      make_outline_surface<Shader>(surface, job, entry);
       if constexpr (requires { surface.item; }) surface.item = polygon;
-      if constexpr (Counting && Drawn)
-        tell_covered(entry, job.viewport, job.triangle.row, job.shading->first_id + corners.triangle, covered);
       if (pass_outline<Drawn, Shader>(job.triangle, surface, job.target, entry))
         keep(job.triangle, surface, polygon, link);
     });
+  }
+  template <class Shader, class ShadingGroup>
+  [[gnu::noinline]] static void make_outline_surface(typename Shader::Surface& surface, const Job<ShadingGroup>& job,
+                                                     const PolygonEntry& entry) {
+    const PolygonCorners corners = entry.corners();
+    if constexpr (Shader::interpolates)
+      make_surface<Shader>(surface, *job.shading, corners,
+                           outline_gradients(corners, job.triangle, entry.group.vertices, job.viewport));
+    else
+      Shader::make(surface, *job.shading, corners);
+    if constexpr (DividesOutlines<Shader>)
+      Shader::divide(surface, FanDiagonals(entry.outline()), job.triangle.origin, job.triangle.row - row_bias);
   }
 
   /// Draws the rows of a polygon that lie in the band, or steps over them. True if the polygon continues below the
