@@ -40,6 +40,20 @@ enum class SelftestRenderer : std::uint8_t {
          renderer == SelftestRenderer::span_textures;
 }
 
+/// A machine with less memory for pictures than this has no flash for the renderer either: small boards leave out what
+/// larger ones show as well.
+[[nodiscard]] constexpr std::uint32_t least_memory(SelftestRenderer renderer) {
+  switch (renderer) {
+    case SelftestRenderer::swapped_16:
+    case SelftestRenderer::gouraud_24_larger:
+      return 64 * 1024;
+    case SelftestRenderer::gouraud_24:
+      return 8 * 1024;
+    default:
+      return 0;
+  }
+}
+
 /// One drawing of a scene.
 struct SelftestRun {
   SelftestRenderer renderer;

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -463,7 +464,7 @@ template <class Visit>
 constexpr void for_each_selftest_run(std::uint32_t memory, Visit&& visit) {
   for (const SelftestScene& scene : selftest_scenes)
     for (const SelftestRun& run : scene.runs)
-      if (run.band != 0 && run.memory <= memory) visit(scene, run);
+      if (run.band != 0 && std::max(run.memory, least_memory(run.renderer)) <= memory) visit(scene, run);
 }
 
 /// Whether a machine with `memory` bytes to spare draws a scene whose name begins so: models take much flash.

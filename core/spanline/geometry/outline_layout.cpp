@@ -104,28 +104,39 @@ OutlineFate lay_out(const Outline& outline, Cull cull, int depth_bits, OutlineLa
   return OutlineFate::whole;
 }
 
+namespace {
+
+/// Whether a plane meets a value at a corner. The shares are the areas that the corner makes with the other two of the
+/// reference triangle. Values are below 2^16 and areas below 2^34.
+struct Meeting {
+  std::int64_t whole, share_b, share_c;
+
+  [[nodiscard, gnu::noinline]] bool holds(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t value) const {
+    constexpr std::int64_t tolerance = 256;
+    const std::int64_t met = a * whole + (b - a) * share_b + (c - a) * share_c;
+    const std::int64_t size = magnitude_of(whole), at = whole < 0 ? -met : met;
+    return magnitude_of(at - value * size) <= tolerance * size && at >= vertex_shade::lowest_intensity * size &&
+           at <= vertex_shade::highest_intensity * size;
+  }
+};
+
+}  // namespace
+
 bool shades_are_linear(const Outline& outline, unsigned reference, const std::uint32_t* shades,
                        vertex_shade::Kind kind) {
   bool equal = true;
   for (unsigned i = 1; i < outline.count(); ++i) equal = equal && shades[i] == shades[0];
   if (equal) return true;
-  constexpr std::int64_t tolerance = 256;
   const ScreenVertex &a = outline[0], &b = outline[reference], &c = outline[reference + 1];
-  const auto whole = signed_area<std::int64_t>(a, b, c);
+  const auto area = [](const ScreenVertex& p, const ScreenVertex& q, const ScreenVertex& r) {
+    return signed_area<std::int64_t>(p, q, r);
+  };
   for (unsigned i = 1; i < outline.count(); ++i) {
     if (i == reference || i == reference + 1) continue;
-    const auto share_b = signed_area<std::int64_t>(a, outline[i], c),
-               share_c = signed_area<std::int64_t>(a, b, outline[i]);
+    const Meeting meeting{area(a, b, c), area(a, outline[i], c), area(a, b, outline[i])};
     for (unsigned channel = 0; channel < vertex_shade::channels(kind); ++channel) {
-      const auto value = [&](unsigned corner) {
-        return std::int64_t{vertex_shade::channel_16(kind, shades[corner], channel)};
-      };
-      // Values are below 2^16 and areas below 2^34.
-      const std::int64_t met =
-          value(0) * whole + (value(reference) - value(0)) * share_b + (value(reference + 1) - value(0)) * share_c;
-      const std::int64_t size = magnitude_of(whole), at = whole < 0 ? -met : met;
-      if (magnitude_of(at - value(i) * size) > tolerance * size) return false;
-      if (at < vertex_shade::lowest_intensity * size || at > vertex_shade::highest_intensity * size) return false;
+      const auto value = [&](unsigned corner) { return vertex_shade::channel_16(kind, shades[corner], channel); };
+      if (!meeting.holds(value(0), value(reference), value(reference + 1), value(i))) return false;
     }
   }
   return true;

@@ -1,6 +1,7 @@
 #include "spanline/raster/outline_setup.hpp"
 
 #include "spanline/raster/medium_triangle.hpp"
+#include "spanline/raster/row_stepper.hpp"
 #include "spanline/raster/small_triangle.hpp"
 
 namespace spanline {
@@ -119,6 +120,15 @@ bool set_up_outline(const PlacedOutline& outline, const Viewport& viewport, Acti
   const std::int32_t end = outline.end_row < bottom ? outline.end_row : bottom;
   if (first >= end) return false;
   set_up_rows(outline, first, end, active);
+  return true;
+}
+
+bool skip_outline_rows(ActiveTriangle& outline, std::int32_t end_row, const PlacedOutline& placed) {
+  if (outline.end_row() <= end_row) return false;
+  outline.depth.skip_rows(end_row - outline.row);
+  outline.rows_after_knee = outline.end_row() - end_row;
+  outline.row = end_row;
+  place_edges(placed, outline);
   return true;
 }
 

@@ -11,8 +11,9 @@ namespace spanline {
 /// one of them ends. Called where rows_to_knee is 0 and rows_after_knee is not.
 void place_outline_edges(const PlacedOutline& outline, ActiveTriangle& active);
 
-/// Sets up the edges of a convex outline on the biased rows [first, end), which are some of its own, with the words that
-/// the edges of triangles have: each run begins and ends at the pixels of the top-left rule. `depth` is left alone.
+/// Sets up the edges of a convex outline on the biased rows [first, end), which are some of its own, with the words
+/// that the edges of triangles have: each run begins and ends at the pixels of the top-left rule. `depth` is left
+/// alone.
 void set_up_rows(const PlacedOutline& outline, std::int32_t first, std::int32_t end, ActiveTriangle& active);
 
 /// The same on its rows in the viewport, from `first_row` (biased) on. False if it has no rows there.

@@ -47,20 +47,15 @@ RowColumns step_row(ActiveTriangle& triangle, EntryOf entry_of) {
   return columns;
 }
 
+/// As `skip_rows` below, for an outline without its surface, which is then to be stepped over as many rows as there
+/// were above `end_row`.
+[[nodiscard]] bool skip_outline_rows(ActiveTriangle& outline, std::int32_t end_row, const PlacedOutline& placed);
+
 /// Steps an active triangle and its surface over the rows above `end_row` (biased), with exactly the words that drawing
 /// these rows would leave. False if the triangle ends above `end_row`. `entry_of` is as for `step_row`.
 template <class Surface, class EntryOf>
 [[nodiscard]] bool skip_rows(ActiveTriangle& triangle, Surface& surface, std::int32_t end_row, EntryOf entry_of) {
   if (triangle.end_row() <= end_row) return false;
-  if (triangle.flags.outline()) {
-    const std::int32_t rows = end_row - triangle.row;
-    triangle.rows_after_knee = triangle.end_row() - end_row;
-    triangle.row = end_row;
-    place_outline_edges(entry_of().outline(), triangle);
-    triangle.depth.skip_rows(rows);
-    surface.skip_rows(rows);
-    return true;
-  }
   const std::int32_t rows = end_row - triangle.row;
   const std::int32_t before = std::min(triangle.rows_to_knee, rows), after = rows - before;
   if (triangle.flags.size() != ActiveTriangle::Size::large) {

@@ -286,10 +286,16 @@ class DepthBuffer {
   template <bool Drawn, class Shader>
   [[gnu::noinline]] bool pass_outline(ActiveTriangle& outline, typename Shader::Surface& surface,
                                       const RowsTarget& target, const PolygonEntry& entry) {
-    if constexpr (Drawn && !SeeThrough<Shader>)
-      return Rows::draw_outline(outline, surface, target, entry);
-    else
+    if constexpr (!Drawn) {
+      const std::int32_t rows = target.end_row - outline.row;
+      if (!skip_outline_rows(outline, target.end_row, entry.outline())) return false;
+      surface.skip_rows(rows);
+      return true;
+    } else if constexpr (SeeThrough<Shader>) {
       return pass_rows<Drawn, Shader>(outline, surface, target, [&] { return entry; });
+    } else {
+      return Rows::draw_outline(outline, surface, target, entry);
+    }
   }
 
   /// Sets up the edges, the plane and the surface of a polygon. Not inlined, since this set-up needs every register.
