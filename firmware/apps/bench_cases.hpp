@@ -91,6 +91,8 @@ void soups(const char* visibility, unsigned band) {
 template <class Depth, class Visibility>
 void squares(const char* visibility, unsigned band) {
   using Traits = FlatTraits<Rgb565, Depth, Visibility>;
+  FrameSettings settings;
+  settings.cull = Cull::none;
   const auto measure_squares = [&](const char* name, const char* name_of_triangles, std::uint32_t leg,
                                    std::uint32_t count) {
     const scenes::ScreenSoup whole{std::span(square_vertices).first(4 * count), std::span(square_colours).first(count)};
@@ -102,7 +104,7 @@ void squares(const char* visibility, unsigned band) {
                  [&](scenes::ScreenSoup triangles) { scenes::cut_squares(whole, triangles); });
     capacity.polygons = count;
     measure<Traits>(name, visibility, capacity, band, [&](auto& renderer) {
-      (void)renderer.begin({.cull = Cull::none});
+      (void)renderer.begin(settings);
       if (!renderer.add_screen(whole.vertices, corners, whole.colours, {}).ok())
         board::write("bench: a pool is full\n");
     });
@@ -142,11 +144,12 @@ void wall(const char* visibility, unsigned band) {
 /// ROOM: quads as they are, and as two triangles each (ROOMT).
 template <class Traits>
 void room(const char* visibility, unsigned band) {
+  const FrameSettings settings = scenes::room_settings(Angle::from_degrees(20), 240);
   const auto measure_room = [&](const char* name, const Mesh& mesh) {
     measure<Traits>(name, visibility,
                     {.vertices = 400, .textures = 400, .polygons = 200, .fans = 200, .active = 100, .awake = 100}, band,
                     [&](auto& renderer) {
-                      (void)renderer.begin(scenes::room_settings(Angle::from_degrees(20), 240));
+                      (void)renderer.begin(settings);
                       if (!renderer.add(mesh, {}, scenes::room_material).ok()) board::write("bench: a pool is full\n");
                     });
   };

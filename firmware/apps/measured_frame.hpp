@@ -42,7 +42,8 @@ struct NullSink {};
 /// Draws two frames in `memory` and measures the second. `submit(renderer)` starts a frame and adds what it shows.
 /// `band`: lines a band, 0 for the whole picture at once.
 template <class Traits, class Submit>
-Frame warm_frame(Capacity capacity, unsigned band, std::span<std::byte> memory, Submit submit) {
+[[gnu::always_inline]] inline Frame warm_frame(Capacity capacity, unsigned band, std::span<std::byte> memory,
+                                               Submit submit) {
   capacity.band_lines = static_cast<std::uint16_t>(band == 0 ? capacity.height : band);
   capacity.colour_bands = band == 0 ? 1 : 2;
   if (!is_spanning<Traits> && band == 0) capacity.active = 0;

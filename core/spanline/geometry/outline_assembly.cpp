@@ -87,12 +87,14 @@ template <class Append>
       });
 }
 
-/// As `enter`, for an outline that clipping has made, with the lines of its diagonals.
-void PolygonAssembly::enter_divided(const Outline& outline, const OutlineLayout& layout, Link triangle, Link polygon,
-                                    const FanDiagonals& lines) {
-  const std::span<const HalfPlane> own(lines.diagonal, lines.count);
-  enter_by(layout, FanRecords::records_of_outline(outline.count(), lines.count),
-           [&] { return table_.fans.append(outline, layout, triangle, polygon, own); });
+/// As `enter`, for an outline that clipping has made, with room for the lines of its diagonals. Output: its record, or
+/// no_link if it was not entered.
+Link PolygonAssembly::enter_with_lines(const Outline& outline, const OutlineLayout& layout, Link triangle, Link polygon,
+                                       unsigned lines) {
+  Link record = no_link;
+  enter_by(layout, FanRecords::records_of_outline(outline.count(), lines),
+           [&] { return record = table_.fans.append(outline, layout, triangle, polygon, lines); });
+  return record;
 }
 
 void PolygonAssembly::enter(const Outline& outline, const OutlineLayout& layout, Link triangle, Link polygon) {
@@ -163,10 +165,12 @@ void PolygonAssembly::run_polygons(const Mesh& mesh, const ScreenVertex* vertice
     const Outline outline(vertices, number, corners);
     bool taken = false;
     if (is_planar(mesh.corners[polygon])) {
-      if (scissored && needs_clipping(outline))
+      if (scissored && needs_clipping(outline)) {
         taken = clip_outline(mesh, clip, outline, triangle, polygon);
-      else
+        if (undivided_ != no_link) divide_clipped(mesh, clip, outline);
+      } else {
         taken = take_planar(outline, triangle, polygon);
+      }
     }
     for (unsigned i = 1; i + 1 < corners && !taken; ++i) {
       const Link corner[3] = {number[0], number[i], number[i + 1]};

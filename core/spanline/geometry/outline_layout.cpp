@@ -9,8 +9,11 @@ namespace {
 
 std::int64_t magnitude_of(std::int64_t value) { return value < 0 ? -value : value; }
 
+// The parts of `lay_out` are not inlined, so that their variables are not on the stack together.
+
 /// Finds the slack of the plane, in units of the depth. False if the plane could leave the range of depths.
-bool plane_stays_in_range(const Outline& outline, const OutlineShape& shape, int depth_bits, unsigned& slack) {
+[[gnu::noinline]] bool plane_stays_in_range(const Outline& outline, const OutlineShape& shape, int depth_bits,
+                                            unsigned& slack) {
   const ScreenVertex &a = outline[0], &b = outline[shape.reference], &c = outline[shape.reference + 1];
   const auto depth = [&](const ScreenVertex& v) {
     return static_cast<std::int32_t>(v.depth_word >> (32 - depth_bits));
@@ -75,17 +78,11 @@ ActiveTriangle::Size outline_layout::wide_class_of(const Outline& outline, std::
   return ActiveTriangle::Size::medium;
 }
 
-OutlineFate lay_out(const Outline& outline, Cull cull, int depth_bits, OutlineLayout& layout) {
-  using Size = ActiveTriangle::Size;
-  const OutlineShape shape = shape_of(outline);
-  if (shape.turn == Turn::none) return OutlineFate::fan;
-  layout.clockwise = shape.turn == Turn::clockwise;
-  if (cull == (layout.clockwise ? Cull::back : Cull::front)) return OutlineFate::culled;
-  unsigned slack = 0;
-  if (!plane_stays_in_range(outline, shape, depth_bits, slack)) return OutlineFate::fan;
-  layout.slack = slack + static_cast<unsigned>(32 - depth_bits);
-  layout.reference = shape.reference;
+namespace {
 
+/// Completes the layout of an outline whose reference triangle has this area.
+[[gnu::noinline]] void place_by_box(const Outline& outline, std::int64_t area, OutlineLayout& layout) {
+  using Size = ActiveTriangle::Size;
   outline_layout::Box box;
   box.begin(outline[0].x, outline[0].y);
   std::uint32_t codes = outline[0].depth_word;
@@ -97,10 +94,25 @@ OutlineFate lay_out(const Outline& outline, Cull cull, int depth_bits, OutlineLa
   const std::int32_t top_x = outline[box.top_corner].x;
   Size size = Size::large;
   if ((codes & leaves) == 0)
-    size = box.is_small(top_x, static_cast<std::int32_t>(shape.area))
+    size = box.is_small(top_x, static_cast<std::int32_t>(area))
                ? Size::small
                : outline_layout::wide_class_of(outline, box.right - box.left, box.bottom - box.top);
   outline_layout::place(box, size, top_x, layout);
+}
+
+}  // namespace
+
+OutlineFate lay_out(const Outline& outline, Cull cull, int depth_bits, OutlineLayout& layout) {
+  const OutlineShape shape = shape_of(outline);
+  if (shape.turn == Turn::none) return OutlineFate::fan;
+  layout.clockwise = shape.turn == Turn::clockwise;
+  if (cull == (layout.clockwise ? Cull::back : Cull::front)) return OutlineFate::culled;
+  unsigned slack = 0;
+  if (!plane_stays_in_range(outline, shape, depth_bits, slack)) return OutlineFate::fan;
+  layout.slack = slack + static_cast<unsigned>(32 - depth_bits);
+  layout.reference = shape.reference;
+
+  place_by_box(outline, shape.area, layout);
   return OutlineFate::whole;
 }
 

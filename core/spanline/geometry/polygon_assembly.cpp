@@ -114,9 +114,10 @@ void PolygonAssembly::run_triangles(const Mesh& mesh, const ScreenVertex* vertic
   counts.back += back;
 }
 
+// Not inlined, so that meshes of polygons do not have its variables on the stack.
 template <bool Scissored>
-void PolygonAssembly::run_triangles(const Mesh& mesh, const ScreenVertex* vertices, const ClipContext& clip,
-                                    const PolygonRange& range) {
+[[gnu::noinline]] void PolygonAssembly::run_triangles(const Mesh& mesh, const ScreenVertex* vertices,
+                                                      const ClipContext& clip, const PolygonRange& range) {
   switch (cull_) {
     case Cull::back:
       return run_triangles<Scissored, Cull::back>(mesh, vertices, clip, range);

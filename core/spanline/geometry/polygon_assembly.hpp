@@ -96,8 +96,9 @@ class PolygonAssembly {
   bool take_any_planar(const Outline& outline, Link triangle, Link polygon);
   [[nodiscard]] bool has_linear_shades(const Outline& outline, unsigned reference) const;
   void enter(const Outline& outline, const OutlineLayout& layout, Link triangle, Link polygon);
-  void enter_divided(const Outline& outline, const OutlineLayout& layout, Link triangle, Link polygon,
-                     const FanDiagonals& lines);
+  Link enter_with_lines(const Outline& outline, const OutlineLayout& layout, Link triangle, Link polygon,
+                        unsigned lines);
+  void divide_clipped(const Mesh& mesh, const ClipContext& clip, const Outline& corners);
   template <class Append>
   void enter_by(const OutlineLayout& layout, Link records, Append append);
   void enter_inlined(const Outline& outline, const OutlineLayout& layout, Link triangle, Link polygon);
@@ -106,12 +107,16 @@ class PolygonAssembly {
                     std::uint32_t& back) const;
   struct ClippedPolygon;
   void clip_triangle(const Mesh& mesh, const ClipContext& clip, const Outline& corners, Link triangle, Link polygon);
+  bool take_clipped(ClippedPolygon& clipped, const ClipContext& clip, const Outline& corners, Link triangle,
+                    Link polygon);
   bool clip_outline(const Mesh& mesh, const ClipContext& clip, const Outline& corners, Link triangle, Link polygon);
   PolygonTable& table_;
   BandOfRow band_of_row_;
   Viewport viewport_;
   Cull cull_;
   bool keeps_planar_ = false;
+  bool clockwise_ = false;    ///< whether the outline `undivided_` is
+  Link undivided_ = no_link;  ///< a record whose lines are still to be made
   int depth_bits_ = 16;
   std::span<const std::uint32_t> shades_;
   vertex_shade::Kind shade_kind_ = vertex_shade::Kind::intensity;

@@ -12,7 +12,8 @@ struct PolygonAssembly::ClippedPolygon {
   ScreenVertex screen[ClipPolygon::most_corners];
 
   /// Clips a polygon of the mesh. False if nothing of it is visible.
-  bool clip(const Mesh& mesh, const ClipContext& clip, const Outline& polygon) {
+  /// Inlined, since the stack is deepest while it clips.
+  [[gnu::always_inline]] inline bool clip(const Mesh& mesh, const ClipContext& clip, const Outline& polygon) {
     const VertexStore& store = *clip.store;
     for (unsigned i = 0; i < polygon.count(); ++i) {
       const Link corner = polygon.number(i);
@@ -79,13 +80,17 @@ struct PolygonAssembly::ClippedPolygon {
 [[gnu::noinline]] bool PolygonAssembly::clip_outline(const Mesh& mesh, const ClipContext& clip, const Outline& corners,
                                                      Link triangle, Link polygon) {
   ClippedPolygon clipped;
-  const std::uint32_t triangles = corners.count() - 2;
   const bool visible = clipped.clip(mesh, clip, corners);
   if (clipped.piece.overflowed() || clipped.piece.count() > Outline::most_corners) return false;
-  if (!visible) {
-    counts.outside += triangles;
-    return true;
-  }
+  if (visible) return take_clipped(clipped, clip, corners, triangle, polygon);
+  counts.outside += corners.count() - 2;
+  return true;
+}
+
+/// What `clip_outline` does with a visible outline. Not inlined, so that its variables are not on the stack while
+/// polygons are clipped.
+[[gnu::noinline]] bool PolygonAssembly::take_clipped(ClippedPolygon& clipped, const ClipContext& clip,
+                                                     const Outline& corners, Link triangle, Link polygon) {
   constexpr Link order[Outline::most_corners] = {0, 1, 2, 3, 4, 5, 6, 7};
   const unsigned count = clipped.piece.count();
   const Outline outline(clipped.screen, order, count);
@@ -93,7 +98,7 @@ struct PolygonAssembly::ClippedPolygon {
   const OutlineFate fate = lay_out(outline, cull_, depth_bits_, layout);
   if (fate == OutlineFate::fan) return false;
   if (fate == OutlineFate::culled) {
-    counts.back += triangles;
+    counts.back += corners.count() - 2;
     return true;
   }
   if (!clip.store->shades.empty()) {
@@ -108,12 +113,23 @@ struct PolygonAssembly::ClippedPolygon {
   }
   if (!stored) return true;
   const Outline entered(clip.store->vertices.data(), clipped.number, count);
-  if (clip.fan_lines.make == nullptr)
+  if (clip.fan_lines.make == nullptr) {
     enter(entered, layout, triangle, polygon);
-  else
-    enter_divided(entered, layout, triangle, polygon,
-                  clip.fan_lines.make(*clip.fan_lines.view, *clip.transform, mesh, corners, layout.clockwise));
+  } else {
+    // The lines are made later, when the clipped polygon is no longer on the stack.
+    undivided_ = enter_with_lines(entered, layout, triangle, polygon, corners.count() - 3);
+    clockwise_ = layout.clockwise;
+  }
   return true;
+}
+
+/// Makes the lines of the outline that `clip_outline` has entered, if it has.
+[[gnu::noinline]] void PolygonAssembly::divide_clipped(const Mesh& mesh, const ClipContext& clip,
+                                                       const Outline& corners) {
+  for (unsigned i = 2; i + 1 < corners.count(); ++i)
+    table_.fans.set_line(undivided_, i - 2,
+                         clip.fan_lines.make(*clip.fan_lines.view, *clip.transform, mesh, corners, i, clockwise_));
+  undivided_ = no_link;
 }
 
 }  // namespace spanline

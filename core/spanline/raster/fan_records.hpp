@@ -65,21 +65,22 @@ class FanRecords {
     return take(records_of_outline(outline.count()));
   }
 
-  /// The same for an outline that clipping has made, with lines that divide it in place of its own diagonals.
-  Link append(const Outline& outline, const OutlineLayout& layout, Link triangle, Link polygon,
-              std::span<const HalfPlane> lines) {
+  /// The same for an outline that clipping has made, with room for lines that divide it in place of its own diagonals.
+  Link append(const Outline& outline, const OutlineLayout& layout, Link triangle, Link polygon, unsigned lines) {
     const Link record = append(outline, layout, triangle, polygon);
-    Link* to = at(record);
-    to[1] = static_cast<Link>(to[1] | lines.size() << lines_shift);
-    to += numbers_in_record + outline.count();
-    for (const HalfPlane& line : lines) {
-      for (const std::int32_t value : {line.a, line.b, line.c}) {
-        *to++ = static_cast<Link>(word(value));
-        if constexpr (sizeof(Link) == 2) *to++ = static_cast<Link>(word(value) >> 16);
-      }
-    }
-    used_ = static_cast<Link>(record + records_of_outline(outline.count(), static_cast<unsigned>(lines.size())));
+    Link* first = at(record);
+    first[1] = static_cast<Link>(first[1] | lines << lines_shift);
+    used_ = static_cast<Link>(record + records_of_outline(outline.count(), lines));
     return record;
+  }
+  /// Sets line `i` of such an outline.
+  void set_line(Link record, unsigned i, const HalfPlane& line) {
+    Link* to = at(record);
+    to += numbers_in_record + OutlineHeader(to[0]).corners() + i * numbers_in_line;
+    for (const std::int32_t value : {line.a, line.b, line.c}) {
+      *to++ = static_cast<Link>(word(value));
+      if constexpr (sizeof(Link) == 2) *to++ = static_cast<Link>(word(value) >> 16);
+    }
   }
 
   [[nodiscard]] bool is_outline(Link record) const { return (at(record)[4] & outline_flag) != 0; }
