@@ -53,8 +53,8 @@ struct OutlineSides {
 /// a triangle's edge.
 [[nodiscard, gnu::always_inline]] inline FixedEdge small_outline_edge(const OutlineSide& side, std::int32_t origin,
                                                                       std::int32_t row) {
-  FixedEdge edge = small_triangle::edge_from(small_triangle::start_of_edge(side.upper->x - 16 * origin), side.dx(),
-                                             side.dy(), side.offset());
+  FixedEdge edge = small_triangle::edge_from(small_triangle::start_of_edge(word(side.upper->x - 16 * origin)),
+                                             side.dx(), side.dy(), side.offset());
   edge.column += edge.step * word(row - side.first_row());
   return edge;
 }

@@ -107,8 +107,8 @@ class Gradients {
 /// On a row, an edge is a multiple of 1/(16·dy) pixel away from a pixel centre, which is 0 or at least 2^-12. Slope and
 /// start together are within 2^-13.4 over 16 rows. The start is lowered by 2^-13, so that the integer part is always
 /// that of the exact edge (tested).
-[[nodiscard, gnu::always_inline]] inline std::uint32_t start_of_edge(std::int32_t from_origin) {
-  return (word(from_origin) << 22) + (8u << 22) - (1u << 13);
+[[nodiscard, gnu::always_inline]] inline std::uint32_t start_of_edge(std::uint32_t from_origin) {
+  return (from_origin << 22) + ((8u << 22) - (1u << 13));
 }
 /// The edge that goes `dx` to the right over `dy` rows from `start`, on the row whose centre lies `offset` below there;
 /// all in sixteenths of a pixel.
@@ -123,7 +123,7 @@ class Gradients {
 /// of its first row, both in sixteenths of a pixel.
 [[gnu::always_inline]] inline void set_edges(const Triangle& t, const ThirdEdge& third, std::int32_t row_offset,
                                              std::int32_t third_offset, FixedEdges& edges) {
-  const std::uint32_t start = start_of_edge((t.ax & 15) + 16 * margin);
+  const std::uint32_t start = start_of_edge(word(t.ax & 15)) + (word(16 * margin) << 22);
   const FixedEdge left = edge_from(start, t.dx2, t.dy2, row_offset);
   edges.left_step = left.step;
   edges.left = left.column;
