@@ -171,8 +171,8 @@ struct RowRange {
     return {row_at(outline.corners[outline.header.top()].y) - row_bias, outline.end_row - row_bias};
   }
   const PolygonCorners polygon = entry.corners();
-  const auto [a, b, c] = polygon.corner;
-  const auto [low, high] = std::minmax({a->y, b->y, c->y});
+  const auto y = [&](unsigned i) { return polygon.corner[i]->y; };
+  const auto [low, high] = std::minmax({y(0), y(1), y(2)});
   return {row_at(low) - row_bias, row_at(high) - row_bias};
 }
 
