@@ -144,7 +144,7 @@ std::int32_t wake(AwakePolygon& polygon, const PolygonSource& source, Link numbe
   if (source.table.is_outline(number)) [[unlikely]]
     return wake_outline(polygon, source, row, margin);
   const PolygonCorners corners = source.table.corners(group, number);
-  const auto [p, q, r] = corners.corner;
+  const ScreenVertex *p = corners.corner[0], *q = corners.corner[1], *r = corners.corner[2];
   const std::uint32_t depth_p = p->depth_word, depth_q = q->depth_word, depth_r = r->depth_word;
   const std::uint32_t nearest = depth_p < depth_q ? depth_p : depth_q, farthest = depth_p < depth_q ? depth_q : depth_p;
   // The outcodes in the low bits do no harm, since the margins are larger than a whole depth unit.

@@ -76,7 +76,7 @@ TYPED_TEST(ScreenPolygons, AreTheirFansInOnePlane) {
     OutlineLayout layout;
     ASSERT_EQ(lay_out(outline, Cull::none, Depth::bits, layout), OutlineFate::whole);
     const long double bound = Depth::bits == 16 ? 1 : 2,
-                      off = std::exp2(static_cast<double>(layout.slack) - (32 - Depth::bits));
+                      off = std::exp2(static_cast<long double>(layout.slack) - (32 - Depth::bits));
     for (std::size_t i = 0; i < one.depth.size(); ++i) {
       if (one.depth[i] == Depth::clear) continue;
       const int x = static_cast<int>(i) % capacity.width, y = static_cast<int>(i) / capacity.width;
