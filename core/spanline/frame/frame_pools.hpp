@@ -141,7 +141,8 @@ struct FramePools {
         return refuse(Pool::shades, used.shades_wanted, vertices_missing, shades.size());
       return refuse(Pool::textures, used.textures_wanted, vertices_missing, textures.size());
     }
-    if (assembly.fans_wanted != 0) return refuse(Pool::fans, used.fans_wanted, assembly.fans_wanted, fans.size());
+    if (assembly.fans_wanted != 0)
+      return refuse(Pool::fans, used.fans_wanted, assembly.fans_wanted, fans.size() / FanRecords::numbers_in_record);
     if (assembly.polygons_wanted != 0)
       return refuse(Pool::polygons, used.polygons_wanted, assembly.polygons_wanted, references.size());
     return {};
