@@ -5,7 +5,6 @@
 #include "spanline/geometry/quad_layout.hpp"
 
 namespace spanline {
-
 namespace {
 
 /// The outcodes of all corners and of any corner.
@@ -121,8 +120,8 @@ void PolygonAssembly::enter(const Outline& outline, const OutlineLayout& layout,
   return fate == OutlineFate::culled;
 }
 
-/// Takes a planar polygon as one entry, or rejects it as a whole. False if it has to be a fan: it needs clipping, its
-/// corners are concave after snapping or have different shades, or its plane could leave the range of depths.
+/// Takes a planar polygon as one entry, or rejects it as a whole. False if it has to be a fan: it needs clipping,
+/// its corners are concave after snapping, their shades are not linear, or its plane could leave the range of depths.
 bool PolygonAssembly::take_planar(const Outline& outline, Link triangle, Link polygon) {
   if (outline.count() != 4) return take_any_planar(outline, triangle, polygon);
   return take_quad(outline.of_count<4>(), triangle, polygon);

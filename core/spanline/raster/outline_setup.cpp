@@ -1,7 +1,6 @@
 #include "spanline/raster/outline_setup.hpp"
 
 #include "spanline/raster/medium_triangle.hpp"
-#include "spanline/raster/row_stepper.hpp"
 #include "spanline/raster/small_triangle.hpp"
 
 namespace spanline {

@@ -11,6 +11,10 @@ namespace spanline {
 /// one of them ends. Called where rows_to_knee is 0 and rows_after_knee is not.
 void place_outline_edges(const PlacedOutline& outline, ActiveTriangle& active);
 
+/// Steps an outline over its rows above `end_row` (biased), but not its surface, which the caller steps over as many
+/// rows. False if it ends above `end_row`; then nothing is changed.
+[[nodiscard]] bool skip_outline_rows(ActiveTriangle& outline, std::int32_t end_row, const PlacedOutline& placed);
+
 /// Sets up the edges of a convex outline on the biased rows [first, end), which are some of its own, with the words
 /// that the edges of triangles have: each run begins and ends at the pixels of the top-left rule. `depth` is left
 /// alone.

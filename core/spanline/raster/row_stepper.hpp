@@ -47,10 +47,6 @@ RowColumns step_row(ActiveTriangle& triangle, EntryOf entry_of) {
   return columns;
 }
 
-/// As `skip_rows` below, for an outline without its surface, which is then to be stepped over as many rows as there
-/// were above `end_row`.
-[[nodiscard]] bool skip_outline_rows(ActiveTriangle& outline, std::int32_t end_row, const PlacedOutline& placed);
-
 /// Steps an active triangle and its surface over the rows above `end_row` (biased), with exactly the words that drawing
 /// these rows would leave. False if the triangle ends above `end_row`. `entry_of` is as for `step_row`.
 template <class Surface, class EntryOf>
