@@ -16,6 +16,7 @@
 #include "import/assimp_import.hpp"
 #include "import/isolated.hpp"
 #include "import/model_format.hpp"
+#include "import/obj_objects.hpp"
 #include "import/text_checks.hpp"
 #include "scene/scene_bytes.hpp"
 
@@ -64,8 +65,12 @@ Scene import_model(const std::string& path) {
   std::string content = read_whole(path);
   const IsolatedResult result = run_isolated("reading " + path, [&] {
     check_complete(format, content);
-    if (format == ModelFormat::obj) blank_obj_groups(content);
-    return to_bytes(read_with_assimp(path, format, content));
+    if (format != ModelFormat::obj) return to_bytes(read_with_assimp(path, format, content));
+    std::vector<std::uint32_t> objects = objects_of_obj(content);
+    blank_obj_groups(content);
+    Scene scene = read_with_assimp(path, format, content);
+    if (objects.size() == scene.triangles.size()) scene.triangle_objects = std::move(objects);
+    return to_bytes(scene);
   });
   if (!result.error.empty()) throw file_failure(path, result.error);
   std::optional<Scene> scene = scene_from_bytes(result.bytes);

@@ -64,10 +64,14 @@ class SceneBuilder {
       const Visit visit = stack.back();
       stack.pop_back();
       const Affine world = visit.parent * to_affine(visit.node->mTransformation);
+      const std::size_t before = scene_.triangles.size();
       for (unsigned i = 0; i < visit.node->mNumMeshes; ++i) add_mesh(visit.node->mMeshes[i], world);
+      // A node with triangles is an object, whose number is that of its first triangle.
+      scene_.triangle_objects.resize(scene_.triangles.size(), static_cast<std::uint32_t>(before));
       for (unsigned i = visit.node->mNumChildren; i-- > 0;) stack.push_back({visit.node->mChildren[i], world});
     }
     if (scene_.triangles.empty()) throw std::runtime_error("has no triangle");
+    if (scene_.triangle_objects.back() == scene_.triangle_objects.front()) scene_.triangle_objects.clear();
     scene_.normals_from_file = any_normals_;
     if (scene_.polygon_triangles.size() == scene_.triangles.size()) scene_.polygon_triangles.clear();
     return std::move(scene_);

@@ -6,6 +6,7 @@
 
 #include "base/failure.hpp"
 #include "render/frame_pass.hpp"
+#include "render/obscured_sets.hpp"
 #include "scene/core_values.hpp"
 #include "spanline/finish/average_samples.hpp"
 #include "spanline/frame/ready_made_traits.hpp"
@@ -206,6 +207,9 @@ class FrameDrawing {
       polygons.empty = polygons.total - polygons.outside - polygons.back - covered;
       polygons.visible = distinct_ids(pass.pixels, triangles_);
       polygons.obscured = covered - *polygons.visible;
+      for (const std::uint32_t id : pass.pixels)  // what is left is obscured
+        if (id != 0) pass.covered[id - 1] = false;
+      polygons.obscured_by = divide_obscured(wanted, pass.pixels, pass.covered, request_.objects);
     }
     if (request_.want_ids) frame.ids = std::move(pass.pixels);
   }

@@ -34,6 +34,7 @@ struct FrameRequest {
   bool smooth = false;                       ///< Gouraud
   bool lit = true;                           ///< otherwise colours and textures as they are
   std::span<const FrameTexture> textures{};  ///< by a mesh's part; empty: none
+  std::span<const std::uint32_t> objects{};  ///< the object of each triangle, for statistics; empty: there is one
   TextureCoordinates coordinates = TextureCoordinates::mesh;
   TextureFilter filter = TextureFilter::nearest;
   Relief relief;  ///< without heights: none
@@ -49,11 +50,18 @@ struct FrameRequest {
   bool want_depth = false, want_ids = false, want_statistics = false;
 };
 
+/// The obscured triangles, by what is seen at the pixels that they cover: nothing but triangles of their own object,
+/// nothing but triangles of other objects, or some of both.
+struct ObscuredBy {
+  std::uint64_t same_object = 0, other_object = 0, both = 0;
+};
+
 /// The lectures' sets of polygons, triangles of all fans: total = outside + back + empty + obscured + visible.
 struct PolygonSets {
   std::uint64_t total = 0, outside = 0, back = 0;
   std::uint64_t empty = 0;                         ///< counted if statistics are asked for
   std::optional<std::uint64_t> obscured, visible;  ///< unknown where no ids were kept
+  std::optional<ObscuredBy> obscured_by;           ///< the sum of its sets is `obscured`
   std::uint64_t whole = 0;                         ///< polygons of more than three corners that were drawn as one
 };
 

@@ -107,6 +107,7 @@ std::uint32_t Studio::stated_depth(std::uint32_t depth, const FrameRequest& requ
 FrameRequest Studio::request(const View& view, const SceneLight& light) const {
   FrameRequest request = make_request(arguments_, *shading_, view, world_, light);
   request.textures = textures_.of_part();
+  request.objects = scene_.triangle_objects;
   if (arguments_.environment) request.coordinates = TextureCoordinates::sphere_map;
   if (arguments_.solid) request.volume = to_volume(solid_, scene_, world_);
   if (arguments_.heights) {

@@ -25,14 +25,17 @@ class Subdivision {
   void run() {
     const std::vector<Scene::Triangle> before = std::move(scene_.triangles);
     const std::vector<Rgb888> colours = std::move(scene_.polygon_colours);
+    const std::vector<std::uint32_t> objects = std::move(scene_.triangle_objects);
     scene_.triangles.clear();
     scene_.polygon_colours.clear();
+    scene_.triangle_objects.clear();
     for (std::size_t i = 0; i < before.size(); ++i) {
       const auto [a, b, c] = before[i];
       const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
       for (const Scene::Triangle& part : {Scene::Triangle{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}}) {
         scene_.triangles.push_back(part);
         if (!colours.empty()) scene_.polygon_colours.push_back(colours[i]);
+        if (!objects.empty()) scene_.triangle_objects.push_back(objects[i]);
       }
     }
     for (Scene::Part& part : scene_.parts) part.first *= 4;

@@ -83,6 +83,7 @@ Scene welded(const Scene& scene) {
   result.polygon_normals = scene.polygon_normals;
   result.polygon_colours = scene.polygon_colours;
   result.polygon_triangles = scene.polygon_triangles;
+  result.triangle_objects = scene.triangle_objects;
   result.parts = scene.parts;
   result.images = scene.images;
   result.colour = scene.colour;

@@ -85,6 +85,9 @@ struct Scene {
   /// How many triangles each polygon's fan has, 1 … `most_fan_triangles`; those of larger polygons stand alone. Parts
   /// begin with a polygon. Empty: all triangles stand alone.
   std::vector<std::uint8_t> polygon_triangles;
+  /// One a triangle: the number of its object, which is what the file calls one: an object of OBJ (`o`), a node of glTF
+  /// that has a mesh, a solid of STL. Empty: all triangles are of one object.
+  std::vector<std::uint32_t> triangle_objects;
   std::vector<Part> parts;  ///< in file order; empty: one, opaque
   std::vector<SceneImage> images;
   Rgb888 colour{};                 ///< of everything, where there are no tables of colours

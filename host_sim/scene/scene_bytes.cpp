@@ -96,9 +96,9 @@ bool consistent(const Scene& scene) {
   const std::size_t triangles = scene.triangles.size();
   return none_or(scene.vertex_normals.size(), vertices) && none_or(scene.vertex_colours.size(), vertices) &&
          none_or(scene.vertex_opacities.size(), vertices) && none_or(scene.texture_points.size(), vertices) &&
-         none_or(scene.polygon_colours.size(), triangles) && scene.polygon_normals.size() == triangles &&
-         in_order(scene.parts, triangles, scene.images.size()) && in_fans(scene) &&
-         std::all_of(scene.positions.begin(), scene.positions.end(), finite) &&
+         none_or(scene.polygon_colours.size(), triangles) && none_or(scene.triangle_objects.size(), triangles) &&
+         scene.polygon_normals.size() == triangles && in_order(scene.parts, triangles, scene.images.size()) &&
+         in_fans(scene) && std::all_of(scene.positions.begin(), scene.positions.end(), finite) &&
          std::all_of(scene.vertex_normals.begin(), scene.vertex_normals.end(), finite) &&
          std::all_of(scene.texture_points.begin(), scene.texture_points.end(), finite_point) &&
          std::all_of(scene.polygon_normals.begin(), scene.polygon_normals.end(), finite) &&
@@ -122,6 +122,7 @@ std::vector<std::byte> to_bytes(const Scene& scene) {
   put(bytes, scene.polygon_normals);
   put(bytes, scene.polygon_colours);
   put(bytes, scene.polygon_triangles);
+  put(bytes, scene.triangle_objects);
   put(bytes, scene.parts);
   put(bytes, scene.images);
   return bytes;
@@ -132,11 +133,12 @@ std::optional<Scene> scene_from_bytes(std::span<const std::byte> bytes) {
   if (bytes.empty()) return std::nullopt;
   scene.normals_from_file = bytes[0] != std::byte{0};
   bytes = bytes.subspan(1);
-  const bool whole =
-      take(bytes, scene.positions) && take(bytes, scene.vertex_normals) && take(bytes, scene.vertex_colours) &&
-      take(bytes, scene.vertex_opacities) && take(bytes, scene.texture_points) && take(bytes, scene.triangles) &&
-      take(bytes, scene.polygon_normals) && take(bytes, scene.polygon_colours) &&
-      take(bytes, scene.polygon_triangles) && take(bytes, scene.parts) && take(bytes, scene.images) && bytes.empty();
+  const bool whole = take(bytes, scene.positions) && take(bytes, scene.vertex_normals) &&
+                     take(bytes, scene.vertex_colours) && take(bytes, scene.vertex_opacities) &&
+                     take(bytes, scene.texture_points) && take(bytes, scene.triangles) &&
+                     take(bytes, scene.polygon_normals) && take(bytes, scene.polygon_colours) &&
+                     take(bytes, scene.polygon_triangles) && take(bytes, scene.triangle_objects) &&
+                     take(bytes, scene.parts) && take(bytes, scene.images) && bytes.empty();
   if (!whole || !consistent(scene)) return std::nullopt;
   return scene;
 }
