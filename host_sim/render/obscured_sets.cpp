@@ -39,6 +39,7 @@ Status submit(const PassInput& input, Submissions<Traits>& submissions) {
 /// `wanted` is by the triangles' numbers. A triangle that was clipped or cut may come in several pieces.
 template <class Depth, class Use>
 void for_each_covered_run(const PolygonTable& table, Viewport viewport, const std::vector<bool>& wanted, Use use) {
+  const auto line = static_cast<std::size_t>(viewport.width);
   Link group_number = 0;
   for (Link polygon = 0; polygon < table.polygon_count; ++polygon) {
     group_number = table.group_of(polygon, group_number);
@@ -62,7 +63,7 @@ void for_each_covered_run(const PolygonTable& table, Viewport viewport, const st
       columns.end = std::min(active.origin + columns.end, viewport.width);
       fan.for_each_part(columns, row, [&](unsigned number, RowColumns part) {
         if (wanted[first_triangle + number])
-          use(first_triangle + number, static_cast<std::size_t>(row * viewport.width + part.first),
+          use(first_triangle + number, static_cast<std::size_t>(row) * line + static_cast<std::size_t>(part.first),
               static_cast<std::size_t>(part.end - part.first));
       });
     }
@@ -91,7 +92,8 @@ std::vector<Hiders> find_hiders(const PassInput& input, const std::vector<std::u
                               [&](std::uint32_t triangle, std::size_t first, std::size_t count) {
                                 Hiders& of_triangle = hiders[triangle];
                                 for (const std::uint32_t id : std::span(ids).subspan(first, count)) {
-          if (id == 0) continue;  // the farthest depth may round to that of the background, which hides it
+                                  if (id == 0)
+                                    continue;  // the farthest depth may round to that of the background, which hides it
                                   const bool same = objects.empty() || objects[id - 1] == objects[triangle];
                                   (same ? of_triangle.same : of_triangle.other) = true;
                                 }

@@ -11,6 +11,7 @@
 #include "import/obj_objects.hpp"
 #include "model_files.hpp"
 #include "render/frame.hpp"
+#include "render/statistics_json.hpp"
 #include "render_fixture.hpp"
 #include "room_obj.hpp"
 #include "scene/core_mesh.hpp"
@@ -143,6 +144,24 @@ TEST_F(ObscuredTest, SetsOfAClosedBodyAddUp) {
     EXPECT_GT(polygons.at("obscured"), 20);
     EXPECT_EQ(polygons.at("obscured_by"), sets(polygons.at("obscured"), 0, 0));
   }
+}
+
+// The bundled models are an object each.
+TEST_F(ObscuredTest, BundledModelsAreOneObject) {
+  for (const char* model : {SPANLINE_TEST_MODELS "/bunny.obj", SPANLINE_TEST_MODELS "/teapot.obj"}) {
+    for (const AlgorithmEntry& algorithm : visibility_algorithms()) {
+      SCOPED_TRACE(std::string(model) + " by " + algorithm.name);
+      const nlohmann::json polygons = polygons_of(model, {"--visibility", algorithm.name, "--cull", "none"});
+      EXPECT_GT(polygons.at("obscured"), 100);
+      EXPECT_EQ(polygons.at("obscured_by"), sets(polygons.at("obscured"), 0, 0));
+    }
+  }
+}
+
+TEST_F(ObscuredTest, SetsAreNullWithoutIds) {
+  const nlohmann::json polygons = nlohmann::json::parse(to_json(FrameStatistics{})).at("polygons");
+  EXPECT_TRUE(polygons.at("obscured").is_null());
+  EXPECT_TRUE(polygons.at("obscured_by").is_null());
 }
 
 /// A scene and a view of it, to be drawn in parts.
