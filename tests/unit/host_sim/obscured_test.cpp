@@ -121,6 +121,18 @@ TEST_F(ObscuredTest, GlassHidesAsInThePictureOfIds) {
   EXPECT_EQ(polygons.at("obscured_by"), sets(0, 2, 0));
 }
 
+// One triangle of a square that is drawn whole is seen, and a triangle of another object hides the other.
+TEST_F(ObscuredTest, TrianglesOfASquareAreToldApart) {
+  const std::string square = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\no square\nf 1 2 3 4\n";
+  for (const char* half : {"v -2 -2.2 1\nv 2 1.8 1\nv -2 1.8 1\n", "v -2.2 -2 1\nv 2 -2 1\nv 2 2.2 1\n"}) {
+    const std::string model = make_file("a.obj", square + half + "o half\nf 5 6 7\n");
+    const nlohmann::json polygons = polygons_of(model, with(front, {"--ortho", "4"}));
+    EXPECT_EQ(polygons.at("whole"), 1);
+    EXPECT_EQ(polygons.at("visible"), 2);
+    EXPECT_EQ(polygons.at("obscured_by"), sets(0, 1, 0));
+  }
+}
+
 TEST_F(ObscuredTest, SetsOfAClosedBodyAddUp) {
   std::ostringstream text;  // a torus of 24 × 12 quadrilaterals
   constexpr int around = 24, across = 12;
