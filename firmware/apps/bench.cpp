@@ -1,7 +1,10 @@
 // Benchmark scenes of the documentation, measured in instructions of the emulated core: one warm frame, clears apart.
 // Prints `bench <scene> <visibility> <depth> <band> <instructions> <crc> <peak bytes>` for each.
+#include <array>
+#include <cstddef>
 #include <spanline/frame/ready_made_traits.hpp>
 #include <spanline/visibility/registry.hpp>
+#include <string_view>
 
 #include "bench_cases.hpp"
 #include "scenes/wall_surfaces.hpp"
@@ -95,12 +98,34 @@ void draw_all_cases(const AlgorithmEntry& entry, int depth_bits, unsigned band) 
   with_unit(entry.id, [&]<AlgorithmId Unit>() { draw_cases<Unit>(entry.name, depth_bits, band); });
 }
 
+void draw_all_sorting_cases(const AlgorithmEntry& entry, unsigned band) {
+  with_unit(entry.id, [&]<AlgorithmId Unit>() { draw_sorting_cases<Unit>(entry.name, band); });
+}
+
+/// The lines of an algorithm's bands, 0 for the whole picture. Where a band's polygons are sorted anew for each band,
+/// fewer bands mean less sorting.
+constexpr unsigned lines_of_bands(const AlgorithmEntry& entry) {
+  if (entry.full_frame()) return 0;
+  const std::string_view name = entry.name;
+  return name == "painter" || name == "depth-sort" ? 32 : 16;
+}
+
+/// The same by the numbers of algorithms: the compiler compares the names.
+constexpr auto bands = [] {
+  std::array<unsigned, algorithm_registry.size()> lines{};
+  for (std::size_t i = 0; i < lines.size(); ++i) lines[i] = lines_of_bands(algorithm_registry[i]);
+  return lines;
+}();
+constexpr unsigned band_of(const AlgorithmEntry& entry) { return bands[static_cast<std::size_t>(entry.id)]; }
+
 }  // namespace
 
 int main() {
   // Every algorithm as it is by default, and two in a second form.
-  for (const AlgorithmEntry& entry : algorithm_registry)
-    draw_all_cases(entry, entry.depth_bits, entry.full_frame() ? 0 : 16);
+  for (const AlgorithmEntry& entry : algorithm_registry) {
+    draw_all_cases(entry, entry.depth_bits, band_of(entry));
+    draw_all_sorting_cases(entry, band_of(entry));
+  }
   draw_all_cases(entry_of(AlgorithmId::zbuffer), 24, 0);
   draw_all_cases(entry_of(AlgorithmId::span), 24, 1);
   foggy_wall<Depth16<>>(0);

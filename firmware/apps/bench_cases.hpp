@@ -7,20 +7,25 @@
 #include <spanline/frame/ready_made_traits.hpp>
 #include <spanline/model/cull.hpp>
 #include <spanline/visibility/registry.hpp>
+#include <type_traits>
 
 #include "board.hpp"
 #include "measured_frame.hpp"
 #include "scenes/model_view.hpp"
 #include "scenes/room_mesh.hpp"
 #include "scenes/screen_soups.hpp"
+#include "scenes/sorting_scenes.hpp"
 #include "scenes/textured_wall.hpp"
 
 /// The benchmark's cases that every visibility algorithm draws.
 namespace spanline::bench {
 
-alignas(8) inline std::byte memory[1024 * 1024];
-inline ScreenVertex soup_vertices[6000];
-inline std::uint16_t soup_colours[2000];
+constexpr std::uint32_t most_triangles = 60'000;
+constexpr std::uint32_t most_a_call = 32'767;  // that a 32-bit core takes
+
+alignas(8) inline std::byte memory[1'200'000];
+inline ScreenVertex soup_vertices[3 * most_triangles];
+inline std::uint16_t soup_colours[most_triangles];
 inline ScreenVertex square_vertices[4000];
 inline std::uint16_t square_colours[1000];
 inline std::uint8_t square_corners[1000];
@@ -53,9 +58,10 @@ void measure(const char* scene, const char* visibility, const Capacity& capacity
 
 /// Triangles on screen, which `make` puts into its table.
 template <class Traits, class Make>
-void soup(const char* name, const char* visibility, const Capacity& capacity, unsigned band, const Material& material,
+void soup(const char* name, const char* visibility, Capacity capacity, unsigned band, const Material& material,
           Make make) {
   const std::uint32_t triangles = capacity.polygons;
+  capacity.instances = (triangles + most_a_call - 1) / most_a_call;
   const scenes::ScreenSoup target{std::span(soup_vertices).first(3 * triangles),
                                   std::span(soup_colours).first(triangles)};
   make(target);
@@ -63,19 +69,29 @@ void soup(const char* name, const char* visibility, const Capacity& capacity, un
     FrameSettings settings;
     settings.cull = Cull::none;
     (void)renderer.begin(settings);
-    if (!renderer.add_screen(target.vertices, target.colours, material).ok()) board::write("bench: a pool is full\n");
+    for (std::uint32_t first = 0; first < triangles; first += most_a_call) {
+      const std::uint32_t count = std::min(triangles - first, most_a_call);
+      const Status added = renderer.add_screen(target.vertices.subspan(std::size_t{3} * first, std::size_t{3} * count),
+                                               target.colours.subspan(first, count), material);
+      if (!added.ok()) board::write("bench: a pool is full\n");
+    }
   });
+}
+
+/// The same of so many opaque triangles.
+template <class Depth, class Visibility, class Make>
+void opaque_soup(const char* name, const char* visibility, std::uint32_t triangles, unsigned band, Make make) {
+  soup<FlatTraits<Rgb565, Depth, Visibility>>(name, visibility,
+                                              {.polygons = triangles,
+                                               .active = std::min<std::uint32_t>(triangles, 4'000),
+                                               .awake = std::min<std::uint32_t>(triangles, 600)},
+                                              band, {}, make);
 }
 
 template <class Depth, class Visibility>
 void soups(const char* visibility, unsigned band) {
-  using Traits = FlatTraits<Rgb565, Depth, Visibility>;
   const auto soup = [&](const char* name, std::uint32_t triangles, auto make) {
-    bench::soup<Traits>(name, visibility,
-                        {.polygons = triangles,
-                         .active = std::min<std::uint32_t>(triangles, 600),
-                         .awake = std::min<std::uint32_t>(triangles, 600)},
-                        band, {}, make);
+    opaque_soup<Depth, Visibility>(name, visibility, triangles, band, make);
   };
   const auto right_triangles = [](std::uint32_t leg, std::uint32_t count) {
     return [=](scenes::ScreenSoup target) { scenes::make_right_triangles(leg, count, Depth::bits, target); };
@@ -85,6 +101,30 @@ void soups(const char* visibility, unsigned band) {
   soup("S3", 100, right_triangles(128, 100));
   soup("S7B", 40, [](scenes::ScreenSoup target) { scenes::make_full_screen_quads(true, Depth::bits, target); });
   soup("S7F", 40, [](scenes::ScreenSoup target) { scenes::make_full_screen_quads(false, Depth::bits, target); });
+}
+
+/// P100, P500 and LAND, and lecture 003's table (T100, T2500, T60000), whose triangles shrink as their number grows and
+/// cover every pixel twice.
+template <class Depth, class Visibility>
+void sorting_soups(const char* visibility, unsigned band) {
+  const auto soup = [&](const char* name, std::uint32_t triangles, auto make) {
+    opaque_soup<Depth, Visibility>(name, visibility, triangles, band, make);
+  };
+  const auto penetrating_triangles = [&](const char* name, std::uint32_t leg, std::uint32_t count) {
+    soup(name, count,
+         [=](scenes::ScreenSoup target) { scenes::make_penetrating_triangles(leg, count, Depth::bits, target); });
+  };
+  const auto shrinking_triangles = [&](const char* name, std::uint32_t count) {
+    const std::uint32_t leg = scenes::even_cover_leg(2, count, 320, 240);
+    soup(name, count, [=](scenes::ScreenSoup target) { scenes::make_even_cover(leg, 320, 240, Depth::bits, target); });
+  };
+  penetrating_triangles("P100", 128, 100);
+  penetrating_triangles("P500", 32, 500);
+  soup("LAND", scenes::landscape::triangles,
+       [](scenes::ScreenSoup target) { scenes::landscape::make(Depth::bits, target); });
+  shrinking_triangles("T100", 100);
+  shrinking_triangles("T2500", 2'500);
+  shrinking_triangles("T60000", 60'000);
 }
 
 /// R8 and R32: squares as they are, and as two triangles each (R8T, R32T).
@@ -131,6 +171,21 @@ void model(const char* name, const char* visibility, ShadingMode shading, unsign
                   });
 }
 
+/// BALL.
+template <class Traits>
+void half_ball(const char* visibility, unsigned band) {
+  namespace scene = scenes::ball;
+  measure<Traits>("BALL", visibility,
+                  {.vertices = static_cast<std::uint32_t>(scene::mesh.vertex_count()),
+                   .polygons = static_cast<std::uint32_t>(scene::mesh.polygon_count()),
+                   .active = 400,
+                   .awake = 400},
+                  band, [&](auto& renderer) {
+                    (void)renderer.begin(scene::settings());
+                    if (!renderer.add(scene::mesh, {}, {}).ok()) board::write("bench: a pool is full\n");
+                  });
+}
+
 template <class Traits>
 void wall(const char* visibility, unsigned band) {
   namespace scene = scenes::textured_wall;
@@ -162,9 +217,14 @@ void room(const char* visibility, unsigned band) {
 /// default.
 template <AlgorithmId Unit>
 void draw_cases(const char* visibility, int depth_bits, unsigned band);
-#define SPANLINE_ALGORITHM(id, ...) \
-  template <>                       \
-  void draw_cases<AlgorithmId::id>(const char* visibility, int depth_bits, unsigned band);
+/// Further cases, with the depths that the algorithm has by default, likewise.
+template <AlgorithmId Unit>
+void draw_sorting_cases(const char* visibility, unsigned band);
+#define SPANLINE_ALGORITHM(id, ...)                                                        \
+  template <>                                                                              \
+  void draw_cases<AlgorithmId::id>(const char* visibility, int depth_bits, unsigned band); \
+  template <>                                                                              \
+  void draw_sorting_cases<AlgorithmId::id>(const char* visibility, unsigned band);
 #include "spanline/visibility/algorithms.def"
 
 template <class Depth, class Visibility, AlgorithmId Unit>
@@ -185,6 +245,13 @@ void draw_cases_by(const char* visibility, int depth_bits, unsigned band) {
     if (depth_bits == 16) return draw_cases_at<Depth16<>, Visibility, Unit>(visibility, band);
   }
   draw_cases_at<Depth24<>, Visibility, Unit>(visibility, band);
+}
+
+template <class Visibility, AlgorithmId Unit>
+void draw_sorting_cases_by(const char* visibility, unsigned band) {
+  using Depth = std::conditional_t<entry_of(Unit).depth_bits == 16, Depth16<>, Depth24<>>;
+  if constexpr (entry_of(Unit).takes_screen_polygons()) sorting_soups<Depth, Visibility>(visibility, band);
+  half_ball<FlatTraits<Rgb565, Depth, Visibility>>(visibility, band);
 }
 
 }  // namespace spanline::bench

@@ -19,6 +19,17 @@ inline ScreenVertex soup_vertex(std::int32_t x, std::int32_t y, std::uint32_t z1
   return ScreenVertex::make(x * 16, y * 16, z16 << (depth_bits - 16), depth_bits);
 }
 
+/// Where the k-th corner of a right triangle lies in the square that its legs span. The right angle is the square's
+/// corner `orientation`, clockwise from top left.
+struct RightCorner {
+  constexpr RightCorner(std::uint32_t orientation, std::uint32_t k) {
+    const std::uint32_t corner = (orientation + k + 3) & 3;
+    right = corner == 1 || corner == 2;
+    below = corner >= 2;
+  }
+  bool right, below;
+};
+
 /// Benchmark scenes S1, S2 and S3: `count` flat right triangles with legs of `leg` pixels at random places and depths.
 inline void make_right_triangles(std::uint32_t leg, std::uint32_t count, int depth_bits, ScreenSoup soup) {
   Random random;
@@ -26,9 +37,8 @@ inline void make_right_triangles(std::uint32_t leg, std::uint32_t count, int dep
     const std::uint32_t x0 = random() % (321 - leg), y0 = random() % (241 - leg), orientation = random() & 3;
     const std::uint32_t base = 4096 + random() % 57344;
     for (std::uint32_t k = 0; k < 3; ++k) {
-      // Corners o − 1, o, o + 1 of the clockwise square whose corner 0 is top-left.
-      const std::uint32_t corner = (orientation + k + 3) & 3;
-      const std::uint32_t x = x0 + (corner == 1 || corner == 2 ? leg : 0), y = y0 + (corner >= 2 ? leg : 0);
+      const RightCorner corner(orientation, k);
+      const std::uint32_t x = x0 + (corner.right ? leg : 0), y = y0 + (corner.below ? leg : 0);
       soup.vertices[3 * i + k] =
           soup_vertex(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), base + random() % 2048, depth_bits);
     }
@@ -43,6 +53,15 @@ inline void make_right_triangles(std::uint32_t leg, std::uint32_t count, int dep
   return (2 * complexity * (width + leg) * (height + leg) + leg * leg - 1) / (leg * leg);
 }
 
+/// The longest leg with which so many triangles, thrown as by `make_even_cover`, cover a picture at most `complexity`
+/// times on average.
+[[nodiscard]] constexpr std::uint32_t even_cover_leg(std::uint32_t complexity, std::uint32_t triangles,
+                                                     std::uint32_t width, std::uint32_t height) {
+  std::uint32_t leg = 256;
+  while (leg > 1 && even_cover_count(complexity, leg, width, height) < triangles) --leg;
+  return leg;
+}
+
 /// Right triangles with legs of `leg` pixels at random depths, thrown evenly over a picture and its surroundings, so
 /// that every pixel is covered equally often on average.
 inline void make_even_cover(std::uint32_t leg, std::int32_t width, std::int32_t height, int depth_bits,
@@ -54,8 +73,8 @@ inline void make_even_cover(std::uint32_t leg, std::int32_t width, std::int32_t 
                        y0 = static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(height + size))) - size;
     const std::uint32_t orientation = random() & 3, base = 4096 + random.below(57344);
     for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint32_t corner = (orientation + k + 3) & 3;
-      const std::int32_t x = x0 + (corner == 1 || corner == 2 ? size : 0), y = y0 + (corner >= 2 ? size : 0);
+      const RightCorner corner(orientation, k);
+      const std::int32_t x = x0 + (corner.right ? size : 0), y = y0 + (corner.below ? size : 0);
       ScreenVertex& vertex = soup.vertices[3 * i + k];
       vertex = soup_vertex(x, y, base + random.below(2048), depth_bits);
       const int code = (x < 0 ? outcode_left : 0) | (x > width ? outcode_right : 0) | (y < 0 ? outcode_top : 0) |
