@@ -103,8 +103,8 @@ void soups(const char* visibility, unsigned band) {
   soup("S7F", 40, [](scenes::ScreenSoup target) { scenes::make_full_screen_quads(false, Depth::bits, target); });
 }
 
-/// P100, P500 and LAND, and lecture 003's table (T100, T2500, T60000), whose triangles shrink as their number grows and
-/// cover every pixel twice.
+/// P100, P500 and LAND, and lecture 003's table: T100, T2500 and T60000, whose triangles shrink as their number grows
+/// and cover every pixel up to twice on average.
 template <class Depth, class Visibility>
 void sorting_soups(const char* visibility, unsigned band) {
   const auto soup = [&](const char* name, std::uint32_t triangles, auto make) {

@@ -1,6 +1,6 @@
-// Compares the visibility algorithms where they differ most: by how often a pixel is covered, by the size of polygons,
-// and by their number at a constant total area. Prints `compare <table> <complexity or polygons> <leg> <visibility>
-// <instructions> <pixels>` for each; 0 instructions where more polygons are awake than the pool holds.
+// Compares the visibility algorithms where they differ most: by how often a pixel is covered, and by the size of
+// polygons. Prints `compare <complexity> <leg> <visibility> <instructions> <pixels>` for each; 0 instructions where
+// more polygons are awake than the pool holds.
 #include <algorithm>
 #include <spanline/frame/ready_made_traits.hpp>
 #include <spanline/model/cull.hpp>
@@ -20,16 +20,13 @@ ScreenVertex vertices[3 * most_triangles];
 std::uint16_t colours[most_triangles];
 
 struct Case {
-  const char* table;
-  std::uint32_t number;  ///< complexity or polygons, as the table counts
-  std::uint32_t leg, triangles;
+  std::uint32_t complexity, leg, triangles;
   std::uint16_t width, height;
 };
 
 void print(const Case& c, const char* visibility, std::uint32_t instructions) {
-  board::write("compare ");
-  board::write(c.table);
-  for (const std::uint32_t number : {c.number, c.leg}) {
+  board::write("compare");
+  for (const std::uint32_t number : {c.complexity, c.leg}) {
     board::write(" ");
     board::write_unsigned(number);
   }
@@ -68,29 +65,17 @@ void draw(const Case& c, unsigned band) {
   print(c, measured::visibility_name<Traits>(band), frame.complete ? frame.instructions : 0);
 }
 
-void draw_by_all(const Case& c) {
-  draw<Depth16<>, ZBuffer>(c, 0);
-  draw<Depth16<>, BoundedZBuffer>(c, 0);
-  draw<Depth16<>, ZBuffer>(c, 16);
-  draw<Depth24<>, Spanning>(c, 16);
-}
-
 /// Polygons too many for the links of a 32-bit machine are thrown over a smaller picture.
 void cover(std::uint32_t complexity, std::uint32_t leg) {
-  Case c{"cover", complexity, leg, 0, 320, 240};
+  Case c{complexity, leg, 0, 320, 240};
   while ((c.triangles = scenes::even_cover_count(complexity, leg, c.width, c.height)) > most_triangles) {
     c.width /= 2;
     c.height /= 2;
   }
-  draw_by_all(c);
-}
-
-/// Lecture 003's table: polygons shrink as their number grows, and cover every pixel twice.
-void shrink(std::uint32_t polygons) {
-  constexpr std::uint32_t complexity = 2;
-  std::uint32_t leg = 256;
-  while (leg > 1 && scenes::even_cover_count(complexity, leg, 320, 240) < polygons) --leg;
-  draw_by_all({"shrink", polygons, leg, polygons, 320, 240});
+  draw<Depth16<>, ZBuffer>(c, 0);
+  draw<Depth16<>, BoundedZBuffer>(c, 0);
+  draw<Depth16<>, ZBuffer>(c, 16);
+  draw<Depth24<>, Spanning>(c, 16);
 }
 
 }  // namespace
@@ -98,6 +83,5 @@ void shrink(std::uint32_t polygons) {
 int main() {
   for (const std::uint32_t complexity : {1U, 2U, 5U, 10U, 20U})
     for (const std::uint32_t leg : {4U, 8U, 16U, 32U, 64U, 128U, 256U}) cover(complexity, leg);
-  for (const std::uint32_t polygons : {100U, 2'500U, 60'000U}) shrink(polygons);
   return 0;
 }

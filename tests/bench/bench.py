@@ -3,7 +3,8 @@
 
 The image prints a line for each case: bench <scene> <visibility> <depth> <band> <instructions> <crc> <peak bytes>, and
 nothing else.
-Without --check and --core it also prints which visibility algorithm wins where (compare.py).
+It prints lecture 003's table beside ours, and without --check and --core which visibility algorithm wins where
+(compare.py).
 Cycles are those of the model in tests/qemu/cycles, for the cores that it knows; null for the others.
 """
 
@@ -167,6 +168,8 @@ def main():
         sys.exit(f"bench.py: {failure}")
     print_table(rows, "instructions")
     print_table(rows, "cycles")
+    for core in arguments.core or CORES:
+        print("\n".join([*compare.lecture_table(core, rows), ""]))
     for core, report in listed:
         print_hottest(core, arguments.hottest, report)
     if not arguments.core and not arguments.check:

@@ -4,6 +4,7 @@
 import unittest
 
 import bench
+import compare
 from machine import Failure
 
 LINE = "bench S1 zbuffer 16 0 {} 0123abcd 4096\n"
@@ -60,6 +61,36 @@ class Pictures(unittest.TestCase):
     def test_a_core_with_another_picture_fails(self):
         rows = bench.rows_of("m3", LINE.format(1000)) + bench.rows_of("m4", LINE.format(1000).replace("0123", "0124"))
         self.assertEqual(len(bench.pictures_differ(rows)), 1)
+
+
+class Lecture(unittest.TestCase):
+    """Lecture 003's table beside ours."""
+
+    @staticmethod
+    def table(*algorithms):
+        console = "".join(f"bench {scene} {name} {depth} 16 {count} 0123abcd 4096\n" for name, depth, counts in algorithms
+                          for scene, count in zip(compare.SHRINKING, counts))
+        rows = bench.rows_of("m4", console + LINE.format(1000))
+        return {line.split()[0]: line.split()[1:] for line in compare.lecture_table("m4", rows)}
+
+    def test_ours_are_multiples_of_depth_sort(self):
+        table = self.table(("zbuffer", 16, (3000000, 4000000, 5000000)), ("depth-sort", 24, (2000000, 6000000, 90000000)))
+        self.assertEqual(table["depth-sort"], ["2.000", "6.000", "90.000", "1.0", "3.0", "45.0", "1", "10", "507"])
+        self.assertEqual(table["zbuffer"], ["3.000", "4.000", "5.000", "1.5", "2.0", "2.5", "54", "54", "54"])
+
+    def test_without_depth_sort_they_are_multiples_of_span(self):
+        table = self.table(("zbuffer", 16, (3000000, 4000000, 5000000)), ("span", 24, (1000000, 2000000, 3000000)))
+        self.assertEqual(table["zbuffer"][3:6], ["3.0", "4.0", "5.0"])
+        self.assertIn("span", table["lecture"])
+
+    def test_what_one_side_lacks_is_a_dash(self):
+        table = self.table(("scanline-z", 16, (3000000, 4000000, 5000000)), ("span", 24, (1000000, 2000000)))
+        self.assertEqual(table["scanline-z"][6:], ["-", "-", "-"])
+        self.assertEqual(table["warnock"], 6 * ["-"] + ["11", "64", "307"])
+        self.assertEqual(table["span"], ["1.000", "2.000", "-", "1.0", "2.0", "-", "5", "21", "100"])
+
+    def test_a_core_without_its_scenes_has_no_table(self):
+        self.assertEqual(compare.lecture_table("m3", bench.rows_of("m4", LINE.format(1000))), [])
 
 
 if __name__ == "__main__":

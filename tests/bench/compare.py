@@ -1,5 +1,5 @@
-"""The comparison of visibility algorithms by depth complexity, size and number of polygons: what `compare.elf` prints, as
-tables."""
+"""Visibility algorithms side by side: by depth complexity and size of polygons, which `compare.elf` measures, and by the
+number of polygons, beside lecture 003's table, of the benchmark's rows."""
 
 import re
 
@@ -7,16 +7,19 @@ import machine
 from machine import Failure
 
 BOARDS = {"m0plus": "mps2-an385-m0plus", "m4": "mps2-an386"}
-LINE = re.compile(r"^compare (\w+) (\d+) (\d+) (\S+) (\d+) (\d+)$", re.MULTILINE)
+LINE = re.compile(r"^compare (\d+) (\d+) (\S+) (\d+) (\d+)$", re.MULTILINE)
 
-# Lecture 003, "Performance of Four Algorithms for Visible-Surface Determination": cost by number of polygons, depth
-# sort at 100 polygons = 1.
+# Lecture 003, "Performance of Four Algorithms for Visible-Surface Determination": cost of 100, 2,500 and 60,000 polygons
+# that cover the same area, depth sort of 100 = 1. By our names of the algorithms; its scan line is what `span` is.
+SHRINKING = ("T100", "T2500", "T60000")
 LECTURE = {
-    "depth sort": (1, 10, 507),
-    "z-buffer": (54, 54, 54),
-    "scan line": (5, 21, 100),
-    "Warnock": (11, 64, 307),
+    "depth-sort": (1, 10, 507),
+    "zbuffer": (54, 54, 54),
+    "span": (5, 21, 100),
+    "warnock": (11, 64, 307),
 }
+# The algorithms whose first figure is our unit: the first of them that was measured.
+UNITS = ("depth-sort", "span")
 
 
 def measure(core, root, timeout):
@@ -27,8 +30,8 @@ def measure(core, root, timeout):
     others = [line for line in result.console.splitlines() if line and not LINE.fullmatch(line)]
     if others:
         raise Failure(f"compare on {board} complains:\n" + "\n".join(others))
-    lines = [(table, int(number), int(leg), name, int(count), int(pixels))
-             for table, number, leg, name, count, pixels in LINE.findall(result.console)]
+    lines = [(int(complexity), int(leg), name, int(count), int(pixels))
+             for complexity, leg, name, count, pixels in LINE.findall(result.console)]
     if not lines:
         raise Failure(f"compare on {board} printed no figures:\n{result.console}")
     return lines
@@ -36,7 +39,7 @@ def measure(core, root, timeout):
 
 def print_cover(core, lines):
     """Instructions a pixel of the picture, a block a depth complexity; the least of each column is starred."""
-    cover = {(number, leg, name): count / pixels for table, number, leg, name, count, pixels in lines if table == "cover"}
+    cover = {(complexity, leg, name): count / pixels for complexity, leg, name, count, pixels in lines}
     complexities = sorted({key[0] for key in cover})
     legs = sorted({key[1] for key in cover})
     names = list(dict.fromkeys(key[2] for key in cover))
@@ -52,22 +55,32 @@ def print_cover(core, lines):
             print(f"covered {complexity:>2} times {name:14}" + "".join(cells))
 
 
-def print_shrink(core, lines):
-    """The lecture's table and ours, scaled so that the z-buffer at 100 polygons has the lecture's figure."""
-    shrink = {(name, number): count for table, number, _, name, count, _ in lines if table == "shrink"}
-    numbers = sorted({key[1] for key in shrink})
-    unit = shrink["zbuffer", numbers[0]] / LECTURE["z-buffer"][0]
-    print(f"\nrelative cost, total area of polygons constant, on {core}: lecture 003, and ours in its unit (z-buffer at "
-          f"{numbers[0]} polygons)")
-    print(f"{'polygons':20}" + "".join(f"{number:>9}" for number in numbers))
-    for name, costs in LECTURE.items():
-        print(f"{name + ' (lecture)':20}" + "".join(f"{cost:>9}" for cost in costs))
-    for name in dict.fromkeys(key[0] for key in shrink):
-        print(f"{name:20}" + "".join(f"{shrink[name, number] / unit:>9.0f}" for number in numbers))
+def lecture_table(core, rows):
+    """The lines of lecture 003's table for a core: our millions of instructions, the same in our unit, the lecture's."""
+    ours = {(row["visibility"], row["scene"]): row["instructions"]
+            for row in rows if row["core"] == core and row["scene"] in SHRINKING}
+    unit_name = next((name for name in UNITS if (name, SHRINKING[0]) in ours), None)
+    if unit_name is None:
+        return []
+    unit = ours[unit_name, SHRINKING[0]]
+
+    def cells(figures, form):
+        return "".join(f"{'-' if figure is None else format(figure, form):>8}" for figure in figures)
+
+    def three(title):
+        return f"{title:^24}"
+
+    scenes = "".join(f"{scene:>8}" for scene in SHRINKING)
+    lines = [f"{f'lecture 003, {core}':20}" + three("millions") + three(f"{unit_name} T100 = 1") + three("lecture"),
+             f"{'':20}" + 3 * scenes]
+    for name in dict.fromkeys([*(name for name, _ in ours), *LECTURE]):
+        counts = [ours.get((name, scene)) for scene in SHRINKING]
+        lines.append(f"{name:20}" + cells([count and count / 1e6 for count in counts], ".3f")
+                     + cells([count and count / unit for count in counts], ".1f")
+                     + cells(LECTURE.get(name, 3 * (None,)), "d"))
+    return lines
 
 
 def run(root, timeout):
     for core in BOARDS:
-        lines = measure(core, root, timeout)
-        print_cover(core, lines)
-        print_shrink(core, lines)
+        print_cover(core, measure(core, root, timeout))
