@@ -41,7 +41,7 @@ inline constexpr std::uint32_t columns = 48, rows = 25, triangles = 2 * columns 
 inline ScreenVertex point(std::uint32_t column, std::uint32_t row, int depth_bits) {
   constexpr std::uint32_t horizon = 40, farthest = 60000, row_depth = 2000;
   Random random(column * 7919 + row * 104729 + 12345);
-  random();
+  random();  // the first numbers of neighbouring seeds are alike
   random();
   const std::uint32_t height = random.below(20), roughness = random.below(300);
   return soup_vertex(static_cast<std::int32_t>(column * 320 / columns),
@@ -123,13 +123,13 @@ inline constexpr Mesh mesh = [] {
   return half_ball;
 }();
 
-/// Seen from 64 radii away, nearly in parallel.
+/// Seen from 16 radii away, nearly in parallel. The depth range is one that the fast transform of vertices takes.
 inline FrameSettings settings() {
   FrameSettings view;
-  view.camera.eye = {{}, {}, 64.0_q16};
-  view.camera.focal = 6400.0_q16;
-  view.camera.near_plane = 62.0_q16;
-  view.camera.far_plane = 66.0_q16;
+  view.camera.eye = {{}, {}, 16.0_q16};
+  view.camera.focal = 1600.0_q16;
+  view.camera.near_plane = 14.0_q16;
+  view.camera.far_plane = 20.0_q16;
   return view;
 }
 

@@ -63,6 +63,10 @@ TEST(SortingScenes, TheBallIsAValidMeshOfSharedVerticesAndADiscOnScreen) {
   const auto pixels = picture(capacity, [](auto& renderer) {
     ASSERT_TRUE(renderer.begin(settings()).ok());
     ASSERT_TRUE(renderer.add(mesh, {}, {}).ok());
+    // Nearly all face the eye, and all are in view.
+    const PolygonCounts polygons = renderer.statistics().polygons;
+    EXPECT_EQ(polygons.outside, 0u);
+    EXPECT_LE(polygons.back, 8u);
   });
   const double disc = 3.14159265 * 100 * 100;
   EXPECT_NEAR(static_cast<double>(std::count_if(pixels.begin(), pixels.end(), [](auto p) { return p != background; })),
