@@ -84,7 +84,8 @@ void opaque_soup(const char* name, const char* visibility, std::uint32_t triangl
   soup<FlatTraits<Rgb565, Depth, Visibility>>(name, visibility,
                                               {.polygons = triangles,
                                                .active = std::min<std::uint32_t>(triangles, 4'000),
-                                               .awake = std::min<std::uint32_t>(triangles, 600)},
+                                               .awake = std::min<std::uint32_t>(triangles, 600),
+                                               .members = std::min<std::uint32_t>(triangles, 12'000)},
                                               band, {}, make);
 }
 
@@ -139,7 +140,7 @@ void squares(const char* visibility, unsigned band) {
     const auto corners = std::span(square_corners).first(count);
     scenes::make_squares(leg, Depth::bits, whole);
     std::fill(corners.begin(), corners.end(), static_cast<std::uint8_t>(4 | Mesh::planar));
-    Capacity capacity{.polygons = 2 * count, .fans = 2 * count, .active = 600, .awake = 600};
+    Capacity capacity{.polygons = 2 * count, .fans = 2 * count, .active = 600, .awake = 600, .members = 2 * count};
     soup<Traits>(name_of_triangles, visibility, capacity, band, {},
                  [&](scenes::ScreenSoup triangles) { scenes::cut_squares(whole, triangles); });
     capacity.polygons = count;
@@ -163,7 +164,8 @@ void model(const char* name, const char* visibility, ShadingMode shading, unsign
                    .shades = shading == ShadingMode::gouraud ? vertices : 0,
                    .polygons = 1600,
                    .active = 128,
-                   .awake = 128},
+                   .awake = 128,
+                   .members = 1000},
                   band, [&](auto& renderer) {
                     (void)renderer.begin(view.settings);
                     if (!renderer.add(mesh, view.transform, view.material).ok())
@@ -179,7 +181,8 @@ void half_ball(const char* visibility, unsigned band) {
                   {.vertices = static_cast<std::uint32_t>(scene::mesh.vertex_count()),
                    .polygons = static_cast<std::uint32_t>(scene::mesh.polygon_count()),
                    .active = 400,
-                   .awake = 400},
+                   .awake = 400,
+                   .members = 1600},
                   band, [&](auto& renderer) {
                     (void)renderer.begin(scene::settings());
                     if (!renderer.add(scene::mesh, {}, {}).ok()) board::write("bench: a pool is full\n");
@@ -189,7 +192,8 @@ void half_ball(const char* visibility, unsigned band) {
 template <class Traits>
 void wall(const char* visibility, unsigned band) {
   namespace scene = scenes::textured_wall;
-  measure<Traits>("S6", visibility, {.vertices = 4, .textures = 4, .polygons = 2, .active = 2, .awake = 2}, band,
+  measure<Traits>("S6", visibility,
+                  {.vertices = 4, .textures = 4, .polygons = 2, .active = 2, .awake = 2, .members = 2}, band,
                   [&](auto& renderer) {
                     (void)renderer.begin(scene::settings());
                     if (!renderer.add(scene::mesh, {}, scene::material).ok()) board::write("bench: a pool is full\n");
@@ -201,12 +205,13 @@ template <class Traits>
 void room(const char* visibility, unsigned band) {
   const FrameSettings settings = scenes::room_settings(Angle::from_degrees(20), 240);
   const auto measure_room = [&](const char* name, const Mesh& mesh) {
-    measure<Traits>(name, visibility,
-                    {.vertices = 400, .textures = 400, .polygons = 200, .fans = 200, .active = 100, .awake = 100}, band,
-                    [&](auto& renderer) {
-                      (void)renderer.begin(settings);
-                      if (!renderer.add(mesh, {}, scenes::room_material).ok()) board::write("bench: a pool is full\n");
-                    });
+    measure<Traits>(
+        name, visibility,
+        {.vertices = 400, .textures = 400, .polygons = 200, .fans = 200, .active = 100, .awake = 100, .members = 200},
+        band, [&](auto& renderer) {
+          (void)renderer.begin(settings);
+          if (!renderer.add(mesh, {}, scenes::room_material).ok()) board::write("bench: a pool is full\n");
+        });
   };
   measure_room("ROOM", scenes::room);
   measure_room("ROOMT", scenes::room_of_triangles);

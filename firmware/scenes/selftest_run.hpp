@@ -24,13 +24,15 @@ enum class SelftestRenderer : std::uint8_t {
   span_surfaces,      ///< the same by spanning scan line
   textures_16,        ///< textures, plain, lit and in fog, 16-bit depth
   span_textures,      ///< the same by spanning scan line, 24 bits
+  sort_flat,          ///< depth sort, flat shading alone, 24 bits
 };
 
 /// The renderer as lines of the self-test name it, in the column of the depth.
 [[nodiscard]] constexpr const char* to_string(SelftestRenderer renderer) {
-  constexpr const char* names[] = {"16-flat",   "16-flat-larger", "16",          "16-swapped",  "24",
-                                   "24-larger", "24-flat",        "24",          "16-layers",   "24-layers",
-                                   "24-layers", "24-surfaces",    "24-surfaces", "16-textures", "24-textures"};
+  constexpr const char* names[] = {"16-flat",     "16-flat-larger", "16",          "16-swapped",
+                                   "24",          "24-larger",      "24-flat",     "24",
+                                   "16-layers",   "24-layers",      "24-layers",   "24-surfaces",
+                                   "24-surfaces", "16-textures",    "24-textures", "24-flat"};
   return names[static_cast<unsigned>(renderer)];
 }
 
@@ -40,17 +42,21 @@ enum class SelftestRenderer : std::uint8_t {
          renderer == SelftestRenderer::span_textures;
 }
 
-/// A machine with less memory for pictures than this has no flash for the renderer either: small boards leave out what
-/// larger ones show as well.
-[[nodiscard]] constexpr std::uint32_t least_memory(SelftestRenderer renderer) {
+/// Whether a machine with so much memory for pictures has flash for the renderer. Small boards leave out what larger
+/// ones show as well: below 8 KB 24 bits, and those of 32 to 64 KB, which draw scenes of every other kind, some forms
+/// that the smaller ones draw.
+[[nodiscard]] constexpr bool has_flash_for(SelftestRenderer renderer, std::uint32_t memory) {
+  constexpr std::uint32_t kilobyte = 1024;
   switch (renderer) {
     case SelftestRenderer::swapped_16:
     case SelftestRenderer::gouraud_24_larger:
-      return 64 * 1024;
+      return memory >= 64 * kilobyte;
     case SelftestRenderer::gouraud_24:
-      return 8 * 1024;
+      return memory >= 8 * kilobyte;
+    case SelftestRenderer::sort_flat:
+      return memory >= 64 * kilobyte || (memory >= 8 * kilobyte && memory < 32 * kilobyte);
     default:
-      return 0;
+      return true;
   }
 }
 

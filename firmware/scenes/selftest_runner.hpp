@@ -46,7 +46,7 @@ struct Layout {
     if (band == wanted.height) wanted.colour_bands = 1;
     if (!std::is_same_v<typename Traits::Visibility, ZBuffer>) {
       // By rule (selftest_registry.hpp): what pools may hold at most, since nobody has stated less.
-      wanted.active = wanted.awake = wanted.polygons;
+      wanted.active = wanted.awake = wanted.members = wanted.polygons;
       if (wanted.fragments != 0) wanted.layers = wanted.polygons;
     } else if (band == wanted.height) {
       wanted.active = 0;
@@ -162,6 +162,8 @@ constexpr auto with_traits(SelftestRenderer renderer, F&& f) {
       return call<Memory, textures_16, TexturesOnly<Depth16<>>>(f);
     case span_textures:
       return call<Memory, span_textures, TexturesOnly<Depth24<>, Spanning>>(f);
+    case sort_flat:
+      return call<Memory, sort_flat, FlatTraits<Rgb565, Depth24<>, DepthSort>>(f);
     case gouraud_24_larger:
       break;
   }
@@ -187,6 +189,7 @@ constexpr auto with_traits(SelftestRenderer renderer, F&& f) {
 /// The visibility algorithm of a run.
 [[nodiscard]] constexpr const char* visibility_of(const SelftestScene& scene, const SelftestRun& run) {
   if (is_spanning(run.renderer)) return "span";
+  if (run.renderer == SelftestRenderer::sort_flat) return "depth-sort";
   return run.band == scene.capacity.height ? "zbuffer" : "scanline-z";
 }
 

@@ -36,11 +36,21 @@ std::vector<PointLight> to_core_points(const SceneLight& light) {
 }
 
 std::vector<std::pair<std::string, std::uint64_t>> named_peaks(const PoolPeaks& peaks) {
-  return {{"instances", peaks.instances},   {"vertices", peaks.vertices}, {"shades", peaks.shades},
-          {"textures", peaks.textures},     {"polygons", peaks.polygons}, {"fans", peaks.fans},
-          {"active", peaks.active},         {"awake", peaks.awake},       {"fragments", peaks.fragments},
-          {"layers", peaks.layers},         {"buckets", peaks.buckets},   {"colour_bands", peaks.colour_bands},
-          {"depth_band", peaks.depth_band}, {"total", peaks.total()}};
+  return {{"instances", peaks.instances},
+          {"vertices", peaks.vertices},
+          {"shades", peaks.shades},
+          {"textures", peaks.textures},
+          {"polygons", peaks.polygons},
+          {"fans", peaks.fans},
+          {"active", peaks.active},
+          {"awake", peaks.awake},
+          {"fragments", peaks.fragments},
+          {"layers", peaks.layers},
+          {"members", peaks.members},
+          {"buckets", peaks.buckets},
+          {"colour_bands", peaks.colour_bands},
+          {"depth_band", peaks.depth_band},
+          {"total", peaks.total()}};
 }
 
 std::uint64_t distinct_ids(const std::vector<std::uint32_t>& ids, std::size_t triangles) {
@@ -249,6 +259,8 @@ void grow(Capacity& capacity, const Status& status) {
       return to(capacity.fragments);
     case Pool::layers:
       return to(capacity.layers);
+    case Pool::members:
+      return to(capacity.members);
     case Pool::none:
     case Pool::memory:
       break;
@@ -295,7 +307,8 @@ Result FrameRenderer::with_drawing(const FrameRequest& request, F f) {
       std::any_of(meshes_.begin(), meshes_.end(), [](const CoreMesh& mesh) { return !mesh.vertex_opacities.empty(); });
   if (request.smooth || with_opacities) capacity_.shades = std::max(capacity_.shades, capacity_.vertices);
   if (request.band_lines < request.size.height || !request.visibility->full_frame())
-    capacity_.active = capacity_.awake = std::max(capacity_.active, std::min(capacity_.polygons, first_active));
+    capacity_.active = capacity_.awake = capacity_.members =
+        std::max(capacity_.active, std::min(capacity_.polygons, first_active));
   return f(FrameDrawing(request, meshes_, capacity_, memory_));
 }
 

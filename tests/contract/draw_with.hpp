@@ -27,7 +27,7 @@ inline Capacity capacity_of(const Scene& scene, const Manner& manner) {
   c.shades = c.textures = c.vertices;
   c.polygons = static_cast<std::uint32_t>(scene.polygon_count());
   constexpr std::uint32_t most_active = 4096;  // more than any of the scenes has on a row
-  c.active = c.awake = manner.active.value_or(std::min(c.polygons, most_active));
+  c.active = c.awake = c.members = manner.active.value_or(std::min(c.polygons, most_active));
   return c;
 }
 

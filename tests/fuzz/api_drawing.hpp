@@ -36,7 +36,7 @@ struct Run {
   std::string fault;
 };
 
-/// By renderers that have all shaders, of both families of algorithms.
+/// By renderers that have all shaders, of all families of exact algorithms.
 [[nodiscard]] Run draw_everything(const ApiFrame& frame);
 /// By one with few shaders.
 [[nodiscard]] Run draw_plain(const ApiFrame& frame);
@@ -46,6 +46,9 @@ struct Run {
 [[nodiscard]] Run draw_world(const ApiFrame& frame);
 /// By those that draw numbers of triangles, and pick one.
 [[nodiscard]] Run draw_ids(const ApiFrame& frame);
+/// By an order of depth, which draws some scenes otherwise than exact algorithms do: with all shaders, and ids.
+[[nodiscard]] Run draw_in_order(const ApiFrame& frame);
+[[nodiscard]] Run draw_ids_in_order(const ApiFrame& frame);
 
 /// Memory with a border that nobody may write to.
 class Guarded {

@@ -1,6 +1,8 @@
 // Renderers that lack shaders, each for reasons of its own.
 #include "api_drawing.hpp"
 #include "spanline/frame/ready_made_traits.hpp"
+#include "spanline/visibility/sort/depth_sort.hpp"
+#include "spanline/visibility/sort/painter.hpp"
 
 namespace spanline::fuzz {
 namespace {
@@ -42,6 +44,13 @@ Run draw_ids(const ApiFrame& frame) {
   Run run;
   Drawing<IdTraits<Depth24<>, Counted>>(frame, run).draw("ids by zbuffer");
   Drawing<IdTraits<Depth24<>, Counted, Spanning>>(frame, run).draw("ids by span");
+  Drawing<IdTraits<Depth24<>, Counted, DepthSort>>(frame, run).draw("ids by depth-sort");
+  return run;
+}
+
+Run draw_ids_in_order(const ApiFrame& frame) {
+  Run run;
+  Drawing<IdTraits<Depth24<>, Counted, Painter>>(frame, run).draw("ids by painter");
   return run;
 }
 

@@ -56,14 +56,14 @@ Capacity any_capacity(ByteReader& reader) {
   for (std::size_t i = 0; i < std::size(pools); ++i)
     *pools[i] = (tight >> i & 1) != 0 ? static_cast<std::uint32_t>(reader.byte() % 40) : 1500;
   c.instances = std::min<std::uint32_t>(c.instances, 40);  // each takes much memory
-  c.awake = c.active;
+  c.awake = c.members = c.active;
   c.fragments = c.layers * 8;
   if (reader.chance(24)) c.width = static_cast<std::uint16_t>(reader.half_word());
   if (reader.chance(24)) c.band_lines = static_cast<std::uint16_t>(reader.byte());
   if (reader.chance(24)) c.depth_bands = any_byte(reader);
   if (reader.chance(16)) {  // more than there is memory for, or more than can be numbered
-    std::uint32_t* const sizes[] = {&c.instances, &c.vertices, &c.shades, &c.textures,  &c.polygons,
-                                    &c.fans,      &c.active,   &c.awake,  &c.fragments, &c.layers};
+    std::uint32_t* const sizes[] = {&c.instances, &c.vertices, &c.shades,    &c.textures, &c.polygons, &c.fans,
+                                    &c.active,    &c.awake,    &c.fragments, &c.layers,   &c.members};
     *sizes[static_cast<std::size_t>(reader.byte()) % std::size(sizes)] =
         reader.chance(2) ? ~0u : static_cast<std::uint32_t>(reader.full_word());
   }

@@ -36,10 +36,10 @@ Statuses every_kind() {
     const auto fault = static_cast<Fault>(i);
     if (fault != Fault::pool_full && fault != Fault::shader_missing) all.emplace_back(fault);
   }
-  for (int i = 1; i <= static_cast<int>(Pool::layers); ++i)
+  for (int i = 1; i <= static_cast<int>(Pool::members); ++i)
     all.emplace_back(Fault::pool_full, static_cast<Pool>(i), 0U);
-  for (const Pool pool :
-       {Pool::instances, Pool::polygons, Pool::fans, Pool::active, Pool::awake, Pool::fragments, Pool::layers})
+  for (const Pool pool : {Pool::instances, Pool::polygons, Pool::fans, Pool::active, Pool::awake, Pool::fragments,
+                          Pool::layers, Pool::members})
     all.emplace_back(Fault::bad_configuration, pool, 0U);
   for (int i = 1; i <= static_cast<int>(MissingShader::mixture); ++i) all.emplace_back(static_cast<MissingShader>(i));
   return all;

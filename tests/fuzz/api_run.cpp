@@ -22,7 +22,8 @@ std::string difference(const std::vector<Drawn>& all) {
 
 std::string fault_in(const ApiFrame& frame, Statuses& told) {
   std::string fault;
-  for (const auto draw : {draw_everything, draw_plain, draw_opaque, draw_world, draw_ids}) {
+  for (const auto draw :
+       {draw_everything, draw_plain, draw_opaque, draw_world, draw_ids, draw_in_order, draw_ids_in_order}) {
     const Run run = draw(frame);
     if (fault.empty()) fault = run.fault;
     if (fault.empty()) fault = difference(run.all);

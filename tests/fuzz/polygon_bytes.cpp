@@ -68,7 +68,8 @@ std::string starved_fault(const Case& drawn, const AlgorithmEntry& entry, const 
     const contract::Drawing fed = contract::draw(entry, drawn.scene, manner);
     return fed.status.ok() ? contract::difference(want, fed) : "the size that was named for layers is not enough";
   }
-  if (got.status.pool != Pool::active && got.status.pool != Pool::awake) return "a status that names another pool";
+  constexpr Pool pools[] = {Pool::active, Pool::awake, Pool::members};
+  if (std::ranges::find(pools, got.status.pool) == std::end(pools)) return "a status that names another pool";
   if (layers) manner.layers.reset();
   if (!layers && contract::garbage_pixels(drawn.scene, got) != 0) return "garbage where the pool ran full";
   manner.active = got.status.wanted;

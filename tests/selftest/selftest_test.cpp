@@ -25,7 +25,7 @@ constexpr std::uint32_t all_memory = std::numeric_limits<std::uint32_t>::max();
 bool has_24_bits(SelftestRenderer renderer) {
   return renderer == SelftestRenderer::gouraud_24 || renderer == SelftestRenderer::gouraud_24_larger ||
          renderer == SelftestRenderer::layers_24 || renderer == SelftestRenderer::surfaces_24 ||
-         scenes::is_spanning(renderer);
+         renderer == SelftestRenderer::sort_flat || scenes::is_spanning(renderer);
 }
 
 TEST(SelftestScenes, MeshesAreValid) {

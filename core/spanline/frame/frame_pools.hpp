@@ -49,7 +49,10 @@ struct FramePools {
     if (c.polygons >= no_link) return {bad, Pool::polygons, no_link - 1u};
     if (c.fans >= fan_flag) return {bad, Pool::fans, fan_flag - 1u};
     if (Visibility::takes(c)) return {};
-    if constexpr (requires { Visibility::most_awake; })
+    if constexpr (requires { Visibility::most_layers; })
+      return c.members >= no_link ? Status{bad, Pool::members, no_link - 1u}
+                                  : Status{bad, Pool::layers, Visibility::most_layers};
+    else if constexpr (requires { Visibility::most_awake; })
       return {bad, c.awake >= c.layers ? Pool::awake : Pool::layers, Visibility::most_awake};
     else
       return {bad, c.active >= c.fragments ? Pool::active : Pool::fragments, no_link - 1u};

@@ -13,12 +13,17 @@ template class Renderer<GouraudTraits<Rgb565, Depth24<>>>;
 template class Renderer<FlatTraits<Rgb565, Depth16<>, BoundedZBuffer>>;
 template class Renderer<FlatTraits<Rgb565, Depth24<>, Spanning>>;
 template class Renderer<GouraudTraits<Rgb565, Depth24<>, Spanning>>;
+template class Renderer<FlatTraits<Rgb565, Depth24<>, Painter>>;
+template class Renderer<FlatTraits<Rgb565, Depth24<>, DepthSort>>;
+template class Renderer<GouraudTraits<Rgb565, Depth24<>, DepthSort>>;
 template class Renderer<TextureTraits<Rgb565>>;
 template class Renderer<TextureTraits<Rgb565Swapped>>;
 template class Renderer<TextureTraits<Rgb565, Depth24<>>>;
 template class Renderer<TextureTraits<Rgb565, Depth24<>, Spanning>>;
 template class Renderer<SeeThroughTraits<Rgb565>>;
 template class Renderer<SeeThroughTraits<Rgb565, Depth24<>, Spanning>>;
+template class Renderer<SeeThroughTraits<Rgb565, Depth24<>, Painter>>;
+template class Renderer<SeeThroughTraits<Rgb565, Depth24<>, DepthSort>>;
 
 // The table of docs/visibility.md: how many polygons `Spanning` can have active on a row on a 32-bit core.
 namespace {

@@ -27,6 +27,8 @@
 #include "spanline/shade/shader_list.hpp"
 #include "spanline/shade/texture/fogged_texel_light.hpp"
 #include "spanline/shade/texture/texture_shader.hpp"
+#include "spanline/visibility/sort/depth_sort.hpp"
+#include "spanline/visibility/sort/painter.hpp"
 #include "spanline/visibility/span/spanning_scan_line.hpp"
 #include "spanline/visibility/zbuffer/deferred.hpp"
 #include "spanline/visibility/zbuffer/depth_buffer.hpp"

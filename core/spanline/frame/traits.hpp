@@ -39,7 +39,7 @@ struct AnAlgorithm;
 }  // namespace traits_options
 
 /// A choice of visibility algorithm, by its member template `Algorithm<Depth, Pixel, Shaders, counts>`:
-/// `ZBuffer`, `BoundedZBuffer`, `Deferred<…>` or `Spanning`.
+/// `ZBuffer`, `BoundedZBuffer`, `Deferred<…>`, `Spanning`, `Painter` or `DepthSort`.
 template <class Option>
 concept VisibilityOption = requires {
   typename traits_options::AnAlgorithm<Option::template Algorithm>;
@@ -79,7 +79,7 @@ template <class... Options>
 struct Chosen {
   static_assert(((DepthOption<Options> || VisibilityOption<Options> || is_counted<Options>)&&...),
                 "an option of renderer traits is a depth format (Depth16<>, Depth24<>), a visibility algorithm "
-                "(ZBuffer, BoundedZBuffer, Deferred<>, Spanning) or Counted");
+                "(ZBuffer, BoundedZBuffer, Deferred<>, Spanning, Painter, DepthSort) or Counted");
   static_assert((std::size_t{0} + ... + std::size_t{DepthOption<Options>}) <= 1,
                 "renderer traits take one depth format, and these name two");
   static_assert((std::size_t{0} + ... + std::size_t{VisibilityOption<Options>}) <= 1,

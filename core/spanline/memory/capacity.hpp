@@ -35,7 +35,9 @@ struct Capacity {
   std::uint32_t awake = 0;   ///< `span`: polygons that are awake on the same row; on 32-bit cores the limit is 287 to
                              ///< 744, which depends on the list of shaders (docs/visibility.md; Renderer::takes)
   std::uint32_t fragments = 0;  ///< z-buffers with see-through shaders: blended fragments of one band
-  std::uint32_t layers = 0;  ///< `span` with see-through shaders: see-through polygons that are awake on the same row
+  std::uint32_t layers = 0;   ///< `span` with see-through shaders: see-through polygons that are awake on the same row;
+                              ///< `depth-sort` with such shaders: see-through polygons in the same band
+  std::uint32_t members = 0;  ///< `depth-sort`: opaque polygons in the same band
 
   /// The number of bands in a picture.
   [[nodiscard]] constexpr std::uint32_t bands() const {

@@ -20,12 +20,13 @@ enum class Pool : std::uint8_t {
   awake,      ///< `Capacity::awake`
   fragments,  ///< `Capacity::fragments`
   layers,     ///< `Capacity::layers`
+  members,    ///< `Capacity::members`
 };
 
 /// The pool's name in Capacity, for messages.
 [[nodiscard]] constexpr const char* to_string(Pool pool) {
-  constexpr const char* names[] = {"none",     "memory", "instances", "vertices", "shades",    "textures",
-                                   "polygons", "fans",   "active",    "awake",    "fragments", "layers"};
+  constexpr const char* names[] = {"none", "memory", "instances", "vertices",  "shades", "textures", "polygons",
+                                   "fans", "active", "awake",     "fragments", "layers", "members"};
   return names[static_cast<unsigned>(pool)];
 }
 

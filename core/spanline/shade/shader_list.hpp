@@ -34,6 +34,8 @@ struct ShaderList {
   static_assert(count > 0);
   /// Whether any of the shaders is see-through.
   static constexpr bool see_through = (SeeThrough<Shaders> || ...);
+  /// Whether making a surface takes more than copying colours, for any of the shaders.
+  static constexpr bool interpolates = (Shaders::interpolates || ...);
   using Layer = typename shader_list::LayerOf<Shaders...>::Type;
   /// The item shaders that replace these shaders (item_shaders.hpp).
   using Items = ItemShaders<Shaders...>;

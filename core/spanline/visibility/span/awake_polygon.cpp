@@ -83,10 +83,8 @@ std::int32_t take_edges(AwakePolygon& polygon, const ActiveTriangle& active, std
   return place_columns(polygon);
 }
 
-/// As `wake`, for an outline. The bounds are those of its corners and the slack of its plane.
-[[gnu::noinline]] std::int32_t wake_outline(AwakePolygon& polygon, const PolygonSource& source, std::int32_t row,
-                                            BoundMargin margin) {
-  const PlacedOutline outline = source.entry(polygon).outline();
+/// The bounds are those of an outline's corners and the slack of its plane.
+void set_bounds(AwakePolygon& polygon, const PlacedOutline& outline, BoundMargin margin) {
   std::uint32_t low = ~std::uint32_t{0}, high = 0;
   for (unsigned i = 0; i < outline.corners.count(); ++i) {
     const std::uint32_t depth = outline.corners[i].depth_word;
@@ -96,7 +94,10 @@ std::int32_t take_edges(AwakePolygon& polygon, const ActiveTriangle& active, std
   const std::uint32_t slack = outline.header.depth_slack(), below = margin.below + slack, above = margin.above + slack;
   polygon.nearest = low > below ? low - below : 0;
   polygon.farthest = high < ~above ? high + above : ~std::uint32_t{0};
+}
 
+std::int32_t set_up_outline_edges(AwakePolygon& polygon, const PolygonSource& source, const PlacedOutline& outline,
+                                  std::int32_t row) {
   ActiveTriangle active;
   set_up_rows(outline, row + row_bias, std::min(outline.end_row, source.viewport.height + row_bias), active);
   polygon.third = AwakePolygon::Third::outline;
@@ -104,6 +105,63 @@ std::int32_t take_edges(AwakePolygon& polygon, const ActiveTriangle& active, std
   polygon.origin = static_cast<std::int16_t>(active.origin);
   polygon.end_row = static_cast<std::uint16_t>(active.end_row() - row_bias);
   return take_edges(polygon, active, source.viewport.width);
+}
+
+/// As `wake`, for an outline.
+[[gnu::noinline]] std::int32_t wake_outline(AwakePolygon& polygon, const PolygonSource& source, std::int32_t row,
+                                            BoundMargin margin) {
+  const PlacedOutline outline = source.entry(polygon).outline();
+  set_bounds(polygon, outline, margin);
+  return set_up_outline_edges(polygon, source, outline, row);
+}
+
+/// As `place`, for an outline.
+[[gnu::noinline]] std::int32_t place_outline(AwakePolygon& polygon, const PolygonSource& source, std::int32_t first,
+                                             std::int32_t end) {
+  const PlacedOutline outline = source.entry(polygon).outline();
+  const std::int32_t top = row_at(outline.corners[outline.header.top()].y) - row_bias;
+  const std::int32_t row = top > first ? top : first;
+  if (row >= end || row >= outline.end_row - row_bias) return end;
+  static_cast<void>(set_up_outline_edges(polygon, source, outline, row));
+  return row;
+}
+
+/// Sets up the edges of a triangle on one of its rows.
+[[gnu::always_inline]] inline void set_up_edges(AwakePolygon& polygon, const PolygonSource& source,
+                                                const PolygonGroup& group, Triangle& t, std::int32_t row) {
+  const bool scissored = group.scissored && leaves_viewport(t);
+  const std::int32_t biased_row = row + row_bias;
+  Rows rows;
+  std::int32_t area;
+  if (!scissored && is_small(t, area)) {
+    if (area < 0) t.flip();
+    const ThirdEdge third = ThirdEdge::of(t);
+    rows = rows_of(t, third);
+    polygon.third = third.on_right ? AwakePolygon::Third::on_right : AwakePolygon::Third::on_left;
+    polygon.fraction_bits = small_triangle::fraction_bits;
+    polygon.origin = static_cast<std::int16_t>(small_triangle::origin_of(t));
+    small_triangle::set_edges(t, third, 16 * rows.first + 8 - t.ay, 16 * rows.knee + 8 - t.ay - third.y, polygon.fixed);
+    if (biased_row != rows.first || rows.first == rows.knee)
+      move_down(polygon.fixed, third_on_right(polygon), rows, biased_row);
+  } else {
+    Triangle kept = t;  // a copy, so that `t` itself stays in registers for small triangles
+    rows = place_wide(polygon, kept, scissored, biased_row);
+  }
+  const std::int32_t end = rows.end - row_bias;
+  polygon.end_row = static_cast<std::uint16_t>(end < source.viewport.height ? end : source.viewport.height);
+  const std::int32_t knee = rows.knee - row_bias;
+  polygon.turn_row = row < knee && knee < polygon.end_row ? static_cast<std::uint16_t>(knee) : polygon.end_row;
+}
+
+/// Starts the record of a polygon of the table. Output: the polygon's group.
+[[gnu::always_inline]] inline const PolygonGroup& begin_record(AwakePolygon& polygon, const PolygonTable& table,
+                                                               Link number) {
+  const Link group_number = table.find_group(number);
+  polygon.number = number;
+  polygon.group = group_number;
+  polygon.has_plane = polygon.has_surface = false;
+  polygon.retry_row = 0;
+  return table.groups[group_number];
 }
 
 // The two functions below are `turn` for what is rarer than small and medium triangles. They end it, so that it needs
@@ -135,12 +193,7 @@ std::int32_t take_edges(AwakePolygon& polygon, const ActiveTriangle& active, std
 
 std::int32_t wake(AwakePolygon& polygon, const PolygonSource& source, Link number, std::int32_t row,
                   BoundMargin margin) {
-  const Link group_number = source.table.find_group(number);
-  const PolygonGroup& group = source.table.groups[group_number];
-  polygon.number = number;
-  polygon.group = group_number;
-  polygon.has_plane = polygon.has_surface = false;
-  polygon.retry_row = 0;
+  const PolygonGroup& group = begin_record(polygon, source.table, number);
   if (source.table.is_outline(number)) [[unlikely]]
     return wake_outline(polygon, source, row, margin);
   const PolygonCorners corners = source.table.corners(group, number);
@@ -153,29 +206,22 @@ std::int32_t wake(AwakePolygon& polygon, const PolygonSource& source, Link numbe
   polygon.farthest = high < ~margin.above ? high + margin.above : ~std::uint32_t{0};
 
   Triangle t = Triangle::from(p, q, r);
-  const bool scissored = group.scissored && leaves_viewport(t);
-  const std::int32_t biased_row = row + row_bias;
-  Rows rows;
-  std::int32_t area;
-  if (!scissored && is_small(t, area)) {
-    if (area < 0) t.flip();
-    const ThirdEdge third = ThirdEdge::of(t);
-    rows = rows_of(t, third);
-    polygon.third = third.on_right ? AwakePolygon::Third::on_right : AwakePolygon::Third::on_left;
-    polygon.fraction_bits = small_triangle::fraction_bits;
-    polygon.origin = static_cast<std::int16_t>(small_triangle::origin_of(t));
-    small_triangle::set_edges(t, third, 16 * rows.first + 8 - t.ay, 16 * rows.knee + 8 - t.ay - third.y, polygon.fixed);
-    if (biased_row != rows.first || rows.first == rows.knee)
-      move_down(polygon.fixed, third_on_right(polygon), rows, biased_row);
-  } else {
-    Triangle kept = t;  // a copy, so that `t` itself stays in registers for small triangles
-    rows = place_wide(polygon, kept, scissored, biased_row);
-  }
-  const std::int32_t end = rows.end - row_bias;
-  polygon.end_row = static_cast<std::uint16_t>(end < source.viewport.height ? end : source.viewport.height);
-  const std::int32_t knee = rows.knee - row_bias;
-  polygon.turn_row = row < knee && knee < polygon.end_row ? static_cast<std::uint16_t>(knee) : polygon.end_row;
+  set_up_edges(polygon, source, group, t, row);
   return polygon.fraction_bits != 0 ? place_columns(polygon) : cut_columns(polygon, source.viewport.width);
+}
+
+std::int32_t place(AwakePolygon& polygon, const PolygonSource& source, Link number, std::int32_t first,
+                   std::int32_t end) {
+  const PolygonGroup& group = begin_record(polygon, source.table, number);
+  if (source.table.is_outline(number)) [[unlikely]]
+    return place_outline(polygon, source, first, end);
+  const PolygonCorners corners = source.table.corners(group, number);
+  Triangle t = Triangle::from(corners.corner[0], corners.corner[1], corners.corner[2]);
+  const std::int32_t top = row_at(t.ay) - row_bias, bottom = row_at(t.ay + std::max(t.dy1, t.dy2)) - row_bias;
+  const std::int32_t row = top > first ? top : first;
+  if (row >= end || row >= bottom) return end;
+  set_up_edges(polygon, source, group, t, row);
+  return row;
 }
 
 bool turn(AwakePolygon& polygon, const PolygonSource& source, std::int32_t row) {

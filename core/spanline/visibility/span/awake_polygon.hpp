@@ -83,11 +83,21 @@ template <class Depth>
 struct BoundMargin {
   std::uint32_t below, above;
 };
+/// The margins that hold for planes of this depth format. They allow for rounding of the plane: at most half a guard
+/// unit for each pixel between it and the anchor, which is 1,024 in the largest picture, and 2 units of 24-bit depth or
+/// 1 of 16-bit depth for the fast set-ups.
+template <class Depth>
+inline constexpr BoundMargin depth_margin{(1u << Depth::guard_bits) + 2048, 2 * (1u << Depth::guard_bits) + 2048};
 
 /// Sets up edges, rows and bounds of polygon `number` of the table on `row`, which is one of the polygon's rows in the
 /// viewport. Plane and surface are made later, when they are needed. Output: the first column, cut to the viewport.
 [[nodiscard]] std::int32_t wake(AwakePolygon& polygon, const PolygonSource& source, Link number, std::int32_t row,
                                 BoundMargin margin);
+
+/// The same on the polygon's first row in the rows [first, end) of the picture, without bounds. Output: that row; `end`
+/// if the polygon has none there.
+[[nodiscard]] std::int32_t place(AwakePolygon& polygon, const PolygonSource& source, Link number, std::int32_t first,
+                                 std::int32_t end);
 
 /// Steps a polygon to `row`, which is its `turn_row`: the third edge replaces the one that ended. False if the polygon
 /// ends there.

@@ -4,14 +4,14 @@
 #include "spanline/visibility/band_target.hpp"
 #include "spanline/visibility/counters.hpp"
 #include "spanline/visibility/span/awake_polygon.hpp"
-#include "spanline/visibility/span/spanning_counters.hpp"
 
 namespace spanline {
 
 /// Decides which of two polygons is in front at a pixel of the row given to `move_to`: the nearer one, and of equally
 /// near ones the one that was submitted first. This is a strict total order. Bounds decide first; only where they
 /// overlap are planes computed and compared.
-template <class Depth, bool Counting>
+/// `crossings` is the place of the counter for `crossing` among the algorithm's own.
+template <class Depth, bool Counting, unsigned crossings>
 class DepthOrder {
  public:
   DepthOrder(const PolygonSource& source, [[maybe_unused]] VisibilityCounters* counters)
@@ -38,7 +38,7 @@ class DepthOrder {
   /// by bisection, which needs no division. Both polygons have planes.
   [[nodiscard, gnu::noinline]] std::int32_t crossing(const AwakePolygon& front, const AwakePolygon& other,
                                                      std::int32_t low, std::int32_t high) {
-    if constexpr (Counting) ++counters_->own[SpanningCounter::crossings];
+    if constexpr (Counting) ++counters_->own[crossings];
     const std::uint32_t depth_front = front.depth_at(0, row_), depth_other = other.depth_at(0, row_);
     const bool wins_ties = other.number < front.number;
     while (high - low > 1) {

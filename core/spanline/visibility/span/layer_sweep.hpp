@@ -128,7 +128,7 @@ class LayerSweep {
   }
 
   Owner& owner_;
-  DepthOrder<typename Owner::DepthFormat, Owner::counting> order_;
+  DepthOrder<typename Owner::DepthFormat, Owner::counting, Owner::crossings_counter> order_;
   const AwakeKey* keys_ = nullptr;  ///< key of the first layer that is not open yet
   std::byte* records_ = nullptr;
   AwakePolygon* open_ = nullptr;  ///< layers that have begun and may not have ended; sorted by `sort`

@@ -100,7 +100,7 @@ class RowSweep {
   }
 
   Owner& owner_;
-  using Order = DepthOrder<typename Owner::DepthFormat, Owner::counting>;
+  using Order = DepthOrder<typename Owner::DepthFormat, Owner::counting, Owner::crossings_counter>;
   Order order_;
   InPolygonList<Order> list_{order_};
   std::int32_t width_;

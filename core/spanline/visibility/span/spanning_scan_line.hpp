@@ -168,10 +168,7 @@ class SpanningScanLine {
       if (woken.waiting != no_link) layers_.overflowed = true;
     }
   }
-  /// The bounds allow for rounding of the plane: at most half a guard unit for each pixel between it and the anchor,
-  /// which is 1,024 in the largest picture, and 2 units of 24-bit depth or 1 of 16-bit depth for the fast set-ups.
-  static constexpr std::uint32_t depth_unit = 1u << Depth::guard_bits;
-  static constexpr BoundMargin margin{depth_unit + 2048, 2 * depth_unit + 2048};
+  static constexpr BoundMargin margin = depth_margin<Depth>;
   static_assert(margin.below % 256 == 0, "ActiveEdgeTable::evict takes the low bits of a bound for an outcode");
 
   struct LayerTable {
@@ -186,6 +183,7 @@ class SpanningScanLine {
   struct Rows : PolygonSource {
     using DepthFormat = Depth;
     static constexpr bool counting = Counting;
+    static constexpr unsigned crossings_counter = Counter::crossings;
 
     SpanningScanLine& algorithm;
     const ShadingGroup* shading;
