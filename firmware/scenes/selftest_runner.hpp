@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <new>
@@ -48,6 +49,8 @@ struct Layout {
       // By rule (selftest_registry.hpp): what pools may hold at most, since nobody has stated less.
       wanted.active = wanted.awake = wanted.members = wanted.polygons;
       if (wanted.fragments != 0) wanted.layers = wanted.polygons;
+      if constexpr (requires { BandDrawer<Traits>::Visibility::most_layers; })
+        wanted.layers = std::min(wanted.layers, BandDrawer<Traits>::Visibility::most_layers);
     } else if (band == wanted.height) {
       wanted.active = 0;
     }
