@@ -339,7 +339,8 @@ class DepthSortAlgorithm {
       const std::size_t stride = filled.stride();
       const std::int32_t width = this->target.width;
       for_each_fixed_row(
-          drawn, *this, row, end_row < drawn.end_row ? end_row : drawn.end_row, first_column,
+          drawn, *this, row, end_row < drawn.end_row ? end_row : drawn.end_row,
+          word(drawn.origin - first_column) << drawn.fraction_bits,
           [&](std::int32_t at, RowColumns run) __attribute__((always_inline)) {
             const std::uint32_t range = column_bits::between(run.first, run.end);
             const std::uint32_t now =

@@ -20,14 +20,13 @@ struct NoStep {
 };
 
 /// Walks a polygon with fixed edges, which is placed on `row`, down to `end`, which is at most its end row: use(row,
-/// columns) gets the columns of each row that has any, counted from `column`: the polygon's origin, or a
-/// column to the left of the polygon by at most 32. `step()` is called after every row.
+/// columns) gets the columns of each row that has any, counted from a column that lies `from_column` to the left of the
+/// polygon's origin, in the fixed point of the edges. `step()` is called after every row.
 template <class Use, class Step = NoStep>
 [[gnu::always_inline]] inline void for_each_fixed_row(AwakePolygon& polygon, const PolygonSource& source,
-                                                      std::int32_t row, std::int32_t end, std::int32_t column, Use use,
-                                                      Step step = {}) {
+                                                      std::int32_t row, std::int32_t end, std::uint32_t from_column,
+                                                      Use use, Step step = {}) {
   const int fraction_bits = polygon.fraction_bits;
-  const std::uint32_t from_column = word(polygon.origin - column) << fraction_bits;
   while (row < end) {
     const std::int32_t stop = polygon.turn_row < end ? polygon.turn_row : end;
     std::uint32_t left = polygon.fixed.left + from_column, right = polygon.fixed.right + from_column;
@@ -56,7 +55,7 @@ template <class Use, class Step = NoStep>
   if (polygon.fraction_bits != 0) {
     const std::int32_t origin = polygon.origin;
     for_each_fixed_row(
-        polygon, source, row, end, origin,
+        polygon, source, row, end, 0,
         [&](std::int32_t at, RowColumns columns) __attribute__((always_inline)) {
           use(at, RowColumns{origin + columns.first, origin + columns.end});
         },
