@@ -290,10 +290,11 @@ class DepthSortAlgorithm {
       }
       return PairOrder::apart;
     }
-    [[gnu::always_inline]] void fill_run(Drawn& drawn, std::int32_t row, RowColumns columns) const {
+    SPANLINE_INLINE_IF_OPTIMISED void fill_run(Drawn& drawn, std::int32_t row, RowColumns columns) const {
       fill_run(drawn, row, columns, this->line(row));
     }
-    [[gnu::always_inline]] void fill_run(Drawn& drawn, std::int32_t row, RowColumns columns, Pixel* pixels) const {
+    SPANLINE_INLINE_IF_OPTIMISED void fill_run(Drawn& drawn, std::int32_t row, RowColumns columns,
+                                               Pixel* pixels) const {
       if constexpr (Counting) this->target.counters->own[Counter::shaded] += word(columns.end - columns.first);
       this->fill(drawn, row, columns, pixels);
       if constexpr (has_layers) {
@@ -330,7 +331,7 @@ class DepthSortAlgorithm {
     /// A window of as many columns as a word has, from `first_column` on, holds the polygon. `InWord` says that it is a
     /// word of the record.
     template <bool InWord>
-    [[gnu::always_inline]] void draw_narrow(Drawn& drawn, std::int32_t row, std::int32_t first_column) {
+    SPANLINE_INLINE_IF_OPTIMISED void draw_narrow(Drawn& drawn, std::int32_t row, std::int32_t first_column) {
       FilledColumns& filled = memory.filled;
       const std::int32_t index = column_bits::word_of(first_column);
       const int shift = first_column & 31;

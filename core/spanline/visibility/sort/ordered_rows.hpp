@@ -12,6 +12,14 @@
 #include "spanline/visibility/screen_surface.hpp"
 #include "spanline/visibility/span/awake_polygon.hpp"
 
+/// For functions that hand a run to every shader of a list. They are inlined into loops over rows, except in builds
+/// that do not optimise: there each copy would take room of its own on the stack.
+#ifdef __OPTIMIZE__
+#define SPANLINE_INLINE_IF_OPTIMISED [[gnu::always_inline]] inline
+#else
+#define SPANLINE_INLINE_IF_OPTIMISED [[gnu::noinline]]
+#endif
+
 namespace spanline {
 
 /// Does nothing from row to row.
@@ -98,12 +106,12 @@ struct OrderedRuns : PolygonSource {
   const Target& target;
 
   /// Draws a run of visible pixels. See-through surfaces are laid over what is there.
-  [[gnu::always_inline]] void fill(Entry& entry, std::int32_t row, RowColumns columns) const {
+  SPANLINE_INLINE_IF_OPTIMISED void fill(Entry& entry, std::int32_t row, RowColumns columns) const {
     fill(entry, row, columns, line(row));
   }
   /// The same where the row's pixels are known.
   template <class Pixel>
-  [[gnu::always_inline]] void fill(Entry& entry, std::int32_t row, RowColumns columns, Pixel* pixels) const {
+  SPANLINE_INLINE_IF_OPTIMISED void fill(Entry& entry, std::int32_t row, RowColumns columns, Pixel* pixels) const {
     const ShadingGroup& group = shading[entry.group];
     Shaders::with(
         group.shader, [&]<class Shader>() __attribute__((always_inline)) {
@@ -122,7 +130,8 @@ struct OrderedRuns : PolygonSource {
   }
   /// As `fill`, after `prepare`.
   template <class Pixel>
-  [[gnu::always_inline]] void fill_prepared(Entry& entry, std::int32_t row, RowColumns columns, Pixel* pixels) const {
+  SPANLINE_INLINE_IF_OPTIMISED void fill_prepared(Entry& entry, std::int32_t row, RowColumns columns,
+                                                  Pixel* pixels) const {
     Shaders::with(
         shading[entry.group].shader, [&]<class Shader>() __attribute__((always_inline)) {
           fill_by<Shader>(entry, row, columns, pixels);
@@ -136,7 +145,7 @@ struct OrderedRuns : PolygonSource {
 
  private:
   template <class Shader, class Pixel>
-  [[gnu::always_inline]] void fill_by(Entry& entry, std::int32_t row, RowColumns columns, Pixel* pixels) const {
+  SPANLINE_INLINE_IF_OPTIMISED void fill_by(Entry& entry, std::int32_t row, RowColumns columns, Pixel* pixels) const {
     auto& surface = entry.surface.template as<typename Shader::Surface>();
     if constexpr (Shader::interpolates || DividesOutlines<Shader>) {
       surface.skip_rows(row - entry.surface_row);
