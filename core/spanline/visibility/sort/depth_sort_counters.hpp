@@ -5,8 +5,8 @@ namespace spanline {
 
 /// Depth sort's own counters: their indices in VisibilityCounters::own. The first seven count the pairs of polygons
 /// that each of the overlap tests decided; N is the one that the sort takes for the nearer, F the farther one. Polygons
-/// whose depth extents do not overlap are no pairs. A pair is counted in
-/// every band that it reaches into, and again after one of them was moved.
+/// whose depth extents do not overlap are no pairs. A pair is counted in every band that it
+/// reaches into, and again after one of them was moved.
 struct DepthSortCounter {
   enum Place : unsigned {
     x_extents,          ///< their columns do not overlap

@@ -14,9 +14,9 @@
 #include "spanline/raster/make_surface.hpp"
 #include "spanline/raster/plane_equation.hpp"
 #include "spanline/raster/polygon_table.hpp"
-#include "spanline/raster/surface_blocks.hpp"
 #include "spanline/visibility/algorithm.hpp"
 #include "spanline/visibility/band_target.hpp"
+#include "spanline/visibility/counted_runs.hpp"
 #include "spanline/visibility/covered_triangles.hpp"
 #include "spanline/visibility/screen_surface.hpp"
 #include "spanline/visibility/span/active_edge_table.hpp"
@@ -333,44 +333,23 @@ class SpanningScanLine {
       }
     }
 
-    [[nodiscard]] typename Depth::Word* depth_line() const { return target.depth + (line - target.pixels); }
+    using Counted = CountedRuns<Depth, Target>;
     void count_background(std::int32_t begin, std::int32_t end) {
       target.counters->own[Counter::shaded] += word(end - begin);
-      std::fill(depth_line() + begin, depth_line() + end, Depth::clear);
+      Counted(target, row).background({begin, end});
     }
-    /// Depths are written for opaque pixels only, as in a z-buffer.
+    void count(AwakePolygon& polygon, std::int32_t begin, std::int32_t end) {
+      target.counters->own[Counter::shaded] += word(end - begin);
+      if (!polygon.has_plane) make_plane<Depth>(polygon, *this);
+      Counted(target, row).opaque(polygon, {begin, end});
+    }
     void count_layer(AwakePolygon& polygon, std::int32_t begin, std::int32_t end) {
-      ++target.counters->spans;
       Entry& entry = static_cast<Entry&>(polygon);
       if (!polygon.has_plane) make_plane<Depth>(polygon, *this);
       Shaders::with(shading[entry.group].shader, [&]<class Shader>() {
-        if constexpr (SurfaceInBlocks<typename Shader::Surface>) {
-          const auto& surface = entry.surface.template as<typename Shader::Surface>();
-          bool keeps_depth_of_others = false;
-          if constexpr (SeeThrough<Shader>) keeps_depth_of_others = surface.blends();
-          std::int32_t column = begin;
-          for_each_pixel(surface.blocks(begin), word(end - begin), [&]<class Source>(const Source& source) {
-            const std::int32_t here = column++;
-            if constexpr (SourceWithHoles<Source>) {
-              if (!source.present()) return;
-            }
-            ++target.counters->pixels;
-            if (!keeps_depth_of_others) put_depth(polygon, here);
-          });
-        }
+        const auto& surface = entry.surface.template as<typename Shader::Surface>();
+        Counted(target, row).template see_through<Shader>(polygon, surface, {begin, end});
       });
-    }
-    void put_depth(const AwakePolygon& polygon, std::int32_t column) {
-      const std::uint32_t plane_word = polygon.depth_at(column, row);
-      depth_line()[column] =
-          static_cast<typename Depth::Word>(Depth::stored(Depth::smaller ? plane_word : ~plane_word));
-    }
-    void count(AwakePolygon& polygon, std::int32_t begin, std::int32_t end) {
-      ++target.counters->spans;
-      target.counters->pixels += word(end - begin);
-      target.counters->own[Counter::shaded] += word(end - begin);
-      if (!polygon.has_plane) make_plane<Depth>(polygon, *this);
-      for (std::int32_t column = begin; column < end; ++column) put_depth(polygon, column);
     }
   };
 
